@@ -1,0 +1,62 @@
+//! The key of the charts: a shape for each method, a colour for each number format.
+
+use kuva::plot::MarkerShape;
+
+use crate::result::Row;
+
+/// Colours of Okabe and Ito without their yellow, which is too pale on white. Two kinds of red-green
+/// blindness and blue-yellow blindness can tell them apart.
+const COLOURS: [&str; 7] = ["#000000", "#0072b2", "#56b4e9", "#d55e00", "#e69f00", "#009e73", "#cc79a7"];
+
+const SHAPES: [MarkerShape; 6] = [
+    MarkerShape::Triangle,
+    MarkerShape::Square,
+    MarkerShape::Diamond,
+    MarkerShape::Circle,
+    MarkerShape::Pentagon,
+    MarkerShape::TriangleDown,
+];
+
+/// Methods and formats in the order in which the study names them.
+#[derive(Clone, Debug, Default)]
+pub struct Key {
+    /// Names of the methods.
+    pub methods: Vec<String>,
+    /// Names of the number formats.
+    pub formats: Vec<String>,
+}
+
+impl Key {
+    /// Key to all of `rows`.
+    pub fn new(rows: &[Row]) -> Self {
+        Self {
+            methods: in_order(rows.iter().map(|row| &row.method)),
+            formats: in_order(rows.iter().map(|row| &row.format)),
+        }
+    }
+
+    /// Shape of the marks of `method`.
+    pub fn shape(&self, method: &str) -> MarkerShape {
+        SHAPES[place(&self.methods, method) % SHAPES.len()]
+    }
+
+    /// Colour of the marks of `format`.
+    pub fn colour(&self, format: &str) -> &'static str {
+        COLOURS[place(&self.formats, format) % COLOURS.len()]
+    }
+}
+
+/// Each of `names` once, in the order of their first appearance.
+pub fn in_order<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
+    let mut once: Vec<String> = Vec::new();
+    for name in names {
+        if !once.contains(name) {
+            once.push(name.clone());
+        }
+    }
+    once
+}
+
+fn place(names: &[String], name: &str) -> usize {
+    names.iter().position(|known| known == name).unwrap_or(0)
+}

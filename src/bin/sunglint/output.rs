@@ -1,0 +1,173 @@
+//! The files of a run: results.csv, results.json, chart.svg and report.html.
+
+use std::error::Error;
+use std::fmt;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+
+use crate::result::Study;
+use crate::{chart, page};
+
+/// A file or folder that could not be written, and why.
+#[derive(Debug)]
+pub struct WriteError {
+    path: PathBuf,
+    cause: Box<dyn Error + Send + Sync>,
+}
+
+impl fmt::Display for WriteError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot write {}: {}", self.path.display(), self.cause)
+    }
+}
+
+impl Error for WriteError {}
+
+/// Makes the folder `out` if it is missing, and makes sure that files can be written to it. This
+/// comes before the measurement, so that a wrong path does not cost minutes.
+pub fn prepare(out: &Path) -> Result<(), WriteError> {
+    let at = |cause: io::Error| failure(out, cause);
+    fs::create_dir_all(out).map_err(at)?;
+    NamedTempFile::new_in(out).map(drop).map_err(at)
+}
+
+/// Writes every file of `study` into the folder `out`, and gives the path of the report.
+pub fn write(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
+    let csv_path = out.join("results.csv");
+    let json_path = out.join("results.json");
+    let report = out.join("report.html");
+    let csv = csv(study).map_err(|cause| failure(&csv_path, cause))?;
+    let json = serde_json::to_vec_pretty(study).map_err(|cause| failure(&json_path, cause))?;
+    replace(&csv_path, &csv)?;
+    replace(&json_path, &json)?;
+    replace(&out.join("chart.svg"), chart::both_errors(study).as_bytes())?;
+    replace(&report, page::report(study).as_bytes())?;
+    Ok(report)
+}
+
+fn failure(path: &Path, cause: impl Into<Box<dyn Error + Send + Sync>>) -> WriteError {
+    WriteError { path: path.to_owned(), cause: cause.into() }
+}
+
+/// One line for each row, under a line of names.
+fn csv(study: &Study) -> Result<Vec<u8>, Box<dyn Error + Send + Sync>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in &study.rows {
+        writer.serialize(row)?;
+    }
+    Ok(writer.into_inner().map_err(|error| error.into_error())?)
+}
+
+/// Writes `content` next to `path` and renames it, so that no reader meets half a file.
+fn replace(path: &Path, content: &[u8]) -> Result<(), WriteError> {
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let written = || {
+        let mut file = temporary(folder)?;
+        file.write_all(content)?;
+        file.persist(path).map(drop).map_err(|error| error.error)
+    };
+    written().map_err(|cause: io::Error| failure(path, cause))
+}
+
+/// A temporary file that others may read once it is renamed; by default only its owner may.
+#[cfg(unix)]
+fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
+    use std::os::unix::fs::PermissionsExt;
+    let permissions = fs::Permissions::from_mode(0o666);
+    Builder::new().permissions(permissions).tempfile_in(folder)
+}
+
+#[cfg(not(unix))]
+fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
+    Builder::new().tempfile_in(folder)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{frontier, sample};
+
+    fn study() -> Study {
+        let mut failed = sample::row("epic", "f16", 0.5, f64::NAN);
+        failed.failure = Some("NaN".to_owned());
+        let rows = vec![
+            failed,
+            sample::row("factored", "f32", 1.0, 7e-8),
+            sample::row("disc", "I2F14", 0.8, f64::INFINITY),
+            sample::row("cap", "I16F16", 1.2, 0.0),
+        ];
+        let mut study = sample::study(rows);
+        study.quantities.push(sample::quantity());
+        frontier::mark(&mut study);
+        study
+    }
+
+    fn written(name: &str) -> String {
+        let folder = tempfile::tempdir().expect("a folder");
+        write(&study(), folder.path()).expect("files");
+        fs::read_to_string(folder.path().join(name)).expect("a file")
+    }
+
+    #[test]
+    fn the_csv_has_a_line_for_each_row_and_keeps_nan() {
+        let text = written("results.csv");
+        assert_eq!(text.lines().count(), 1 + study().rows.len());
+        assert!(text.lines().nth(1).is_some_and(|line| line.contains(",NaN,")));
+    }
+
+    #[test]
+    fn the_json_holds_the_whole_study() {
+        let value: serde_json::Value = serde_json::from_str(&written("results.json")).expect("JSON");
+        assert_eq!(value["rows"].as_array().map(Vec::len), Some(4));
+        assert_eq!(value["quantities"][0]["unit"], "ULP");
+        assert!(value["rows"][0]["error_max"].is_null());
+    }
+
+    #[test]
+    fn the_chart_drops_no_row() {
+        let text = written("chart.svg");
+        for row in study().rows {
+            let title = format!("<title>{} in {}", row.method, row.format);
+            assert!(text.matches(&title).count() >= 2, "{} in {}", row.method, row.format);
+            assert!(text.contains(&format!(">{}", row.format)));
+        }
+        assert!(text.contains(">f16 NaN<"));
+        assert!(!text.contains("\"inf") && !text.contains("\"NaN"), "no place");
+    }
+
+    #[test]
+    fn the_report_loads_nothing() {
+        let text = written("report.html").replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
+        assert!(!text.contains("http://") && !text.contains("https://"));
+        assert!(!text.contains(" src=") && !text.contains("@import"));
+    }
+
+    #[test]
+    fn the_same_study_gives_the_same_files() {
+        for name in ["results.csv", "results.json", "chart.svg", "report.html"] {
+            assert_eq!(written(name), written(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn nothing_but_the_files_is_left() {
+        let folder = tempfile::tempdir().expect("a folder");
+        prepare(folder.path()).expect("a folder to write to");
+        write(&study(), folder.path()).expect("files");
+        assert_eq!(fs::read_dir(folder.path()).expect("entries").count(), 4);
+    }
+
+    #[test]
+    fn an_error_names_the_path() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("in the way");
+        fs::write(&file, "").expect("a file");
+        let message = prepare(&file).expect_err("no folder").to_string();
+        assert!(message.contains("in the way"), "{message}");
+        let message = write(&study(), &file).expect_err("no folder").to_string();
+        assert!(message.contains("results.csv"), "{message}");
+    }
+}

@@ -1,0 +1,86 @@
+//! What a run of the study found: the rows that every output shows.
+
+use serde::Serialize;
+
+/// One method in one number format under one light.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// Name of the light, such as `Sun from Earth`.
+    pub light: String,
+    /// Radius over distance of the light.
+    pub ratio: f64,
+    /// Angular radius of the light, in radians.
+    pub theta: f64,
+    /// `epic`, `factored`, `disc` or `cap`.
+    pub method: String,
+    /// Name of the number format, such as `I2F14`.
+    pub format: String,
+    /// Time of a call over the time of f32 `factored` in the same run: median over the rounds.
+    pub cost: f64,
+    /// Lower quartile of that ratio.
+    pub cost_low: f64,
+    /// Upper quartile of that ratio.
+    pub cost_high: f64,
+    /// Worst arithmetic error in radians: computed against the exact value of the same formula.
+    pub error_max: f64,
+    /// Root mean square of the arithmetic error, in radians.
+    pub error_rms: f64,
+    /// Worst model error in radians: the formula's exact value against the nearest point of the disc.
+    pub model_max: f64,
+    /// Root mean square of the model error, in radians.
+    pub model_rms: f64,
+    /// Worst error of both together in radians: computed against the nearest point of the disc.
+    pub total_max: f64,
+    /// Root mean square of both together, in radians.
+    pub total_rms: f64,
+    /// Directions that were tried.
+    pub samples: u64,
+    /// Answers that held a NaN or an infinity.
+    pub non_finite: u64,
+    /// `NaN`, `disc lost`, or nothing where the method works.
+    pub failure: Option<String>,
+    /// Angle between light and mirror direction at the worst arithmetic error, in radians.
+    pub worst_angle: f64,
+    /// Raw bits of the light direction at the worst arithmetic error, in hexadecimal.
+    pub worst_l: String,
+    /// Raw bits of the mirror direction at the worst arithmetic error, in hexadecimal.
+    pub worst_r: String,
+    /// On the frontier of arithmetic error against cost, among this light's rows.
+    pub frontier: bool,
+    /// On the frontier of total error against cost, among this light's rows.
+    pub total_frontier: bool,
+}
+
+/// One light quantity (sizeFactor, solid angle, ...) in one number format.
+#[derive(Clone, Debug, Serialize)]
+pub struct QuantityRow {
+    /// Name of the quantity, such as `size_factor`.
+    pub quantity: String,
+    /// Name of the number format of the result, such as `f32` or `U16F48`.
+    pub format: String,
+    /// `ULP` or `LSB`.
+    pub unit: String,
+    /// Worst error in that unit.
+    pub error_max: f64,
+    /// Input at the worst error.
+    pub worst_input: f64,
+    /// Inputs that were tried.
+    pub samples: u64,
+    /// Inputs that were refused with a typed error, since the format cannot hold the answer.
+    pub refused: u64,
+}
+
+/// Everything that a run found.
+#[derive(Clone, Debug, Serialize)]
+pub struct Study {
+    /// Version of the crate.
+    pub version: String,
+    /// Seed of the random directions.
+    pub seed: u64,
+    /// Whether this was a `--quick` run.
+    pub quick: bool,
+    /// One row per light, method and format.
+    pub rows: Vec<Row>,
+    /// One row per light quantity and format.
+    pub quantities: Vec<QuantityRow>,
+}

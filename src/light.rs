@@ -1,0 +1,197 @@
+//! A distant light as it is described: radius over distance, an angle, or a radius and a distance, in f64.
+
+use core::fmt;
+
+use crate::constant;
+
+/// The Sun seen from one astronomical unit: the IAU's nominal solar radius (2015 resolution B3, 695 700 km) over the
+/// astronomical unit (2012 resolution B2, 149 597 870.7 km). Radius over distance is 0.004 650 467 2.
+pub const SUN: DistantLight = match DistantLight::from_radius_and_distance(SOLAR_RADIUS_KM, ASTRONOMICAL_UNIT_KM) {
+    Ok(sun) => sun,
+    Err(_) => panic!("the Sun is farther away than it is wide"),
+};
+
+/// The IAU's nominal solar radius in kilometres.
+pub const SOLAR_RADIUS_KM: f64 = 695_700.0;
+
+/// The astronomical unit in kilometres.
+pub const ASTRONOMICAL_UNIT_KM: f64 = 149_597_870.7;
+
+/// A light at a distance that no movement in the scene changes: a sphere of which only the angle counts.
+///
+/// Holds the sine, cosine and versine (`1 - cos`) of the angular radius in f64, each within two units in the last
+/// place, and is built in constants as well as at run time:
+///
+/// ```
+/// use sunglint::DistantLight;
+///
+/// const LAMP: DistantLight = match DistantLight::from_ratio(0.05) {
+///     Ok(lamp) => lamp,
+///     Err(_) => panic!("a ratio lies between 0 and 1"),
+/// };
+/// assert_eq!(LAMP.sin(), 0.05);
+/// ```
+///
+/// To light pixels, put its constants into a number format: [`DistantSphere`](crate::DistantSphere).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistantLight {
+    sin: f64,
+    cos: f64,
+    versine: f64,
+    radius: f64,
+    distance: f64,
+}
+
+impl DistantLight {
+    /// A sphere whose radius over distance is `ratio`, from 0 (a point at infinity) to 1 (seen from its surface).
+    ///
+    /// # Errors
+    /// [`LightError::Ratio`] for NaN, negative values and values above 1.
+    pub const fn from_ratio(ratio: f64) -> Result<Self, LightError> {
+        if !(ratio >= 0.0 && ratio <= 1.0) {
+            return Err(LightError::Ratio(ratio));
+        }
+        Ok(Self::sphere(ratio, ratio, 1.0))
+    }
+
+    /// A sphere of `radius` at `distance`, both in the same unit.
+    ///
+    /// # Errors
+    /// [`LightError::Distance`] where `distance` is not positive and finite, [`LightError::Radius`] where `radius` is
+    /// NaN, negative or greater than `distance` (the viewer would be inside).
+    pub const fn from_radius_and_distance(radius: f64, distance: f64) -> Result<Self, LightError> {
+        if !(distance > 0.0 && distance <= f64::MAX) {
+            return Err(LightError::Distance(distance));
+        }
+        if !(radius >= 0.0 && radius <= distance) {
+            return Err(LightError::Radius { radius, distance });
+        }
+        Ok(Self::sphere(radius / distance, radius, distance))
+    }
+
+    /// A disc in the sky of angular radius `theta` radians, from 0 to pi.
+    ///
+    /// # Errors
+    /// [`LightError::AngularRadius`] for NaN and values out of that range.
+    pub const fn from_angular_radius(theta: f64) -> Result<Self, LightError> {
+        if !(theta >= 0.0 && theta <= core::f64::consts::PI) {
+            return Err(LightError::AngularRadius(theta));
+        }
+        let half = constant::sin(theta / 2.0);
+        Ok(Self::disc(constant::sin(theta), constant::cos(theta), 2.0 * half * half))
+    }
+
+    /// A disc in the sky as UsdLux `angle` gives it: the angular *diameter* in *degrees*, from 0 to 360.
+    ///
+    /// # Errors
+    /// [`LightError::Angle`] for NaN and values out of that range.
+    pub const fn from_angle(angle: f64) -> Result<Self, LightError> {
+        if !(angle >= 0.0 && angle <= 360.0) {
+            return Err(LightError::Angle(angle));
+        }
+        let theta = angle / 2.0;
+        let half = constant::sin_degrees(theta / 2.0);
+        Ok(Self::disc(constant::sin_degrees(theta), constant::cos_degrees(theta), 2.0 * half * half))
+    }
+
+    const fn sphere(sin: f64, radius: f64, distance: f64) -> Self {
+        // Neither 1 - x^2 nor 1 - cos is formed by a subtraction that cancels.
+        let cos = constant::sqrt((1.0 - sin) * (1.0 + sin));
+        Self { sin, cos, versine: sin * sin / (1.0 + cos), radius, distance }
+    }
+
+    const fn disc(sin: f64, cos: f64, versine: f64) -> Self {
+        let radius = if cos < 0.0 { 1.0 } else { sin };
+        Self { sin, cos, versine, radius, distance: 1.0 }
+    }
+
+    /// Sine of the angular radius; radius over distance for all that subtend up to half the sky.
+    pub const fn sin(&self) -> f64 {
+        self.sin
+    }
+
+    /// Cosine of the angular radius; negative beyond half the sky.
+    pub const fn cos(&self) -> f64 {
+        self.cos
+    }
+
+    /// `1 - cos` of the angular radius, from 0 to 2, to full precision for small discs.
+    pub const fn versine(&self) -> f64 {
+        self.versine
+    }
+
+    /// Radius, in the unit that the light was given in; the ratio itself where no distance was given.
+    pub const fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Distance, in the unit that the light was given in; 1 where none was given.
+    pub const fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    /// The angular radius in radians, from 0 to pi.
+    pub fn angular_radius(&self) -> f64 {
+        libm::atan2(self.sin, self.cos)
+    }
+}
+
+/// Why a light, or a quantity of a light, could not be made; holds the value, and displays the range allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LightError {
+    /// Radius over distance is not within 0 to 1.
+    Ratio(f64),
+    /// Radius over distance in raw Q30 bits is not within 0 to `2^30`.
+    RatioQ30(i32),
+    /// UsdLux `angle` is not within 0 to 360 degrees.
+    Angle(f64),
+    /// The angular radius is not within 0 to pi radians.
+    AngularRadius(f64),
+    /// The angular radius in raw Q30 bits is not within 0 to pi/2.
+    AngularRadiusQ30(i32),
+    /// The radius is negative, NaN or greater than the distance.
+    Radius {
+        /// The radius given.
+        radius: f64,
+        /// The distance given, which is the greatest radius allowed.
+        distance: f64,
+    },
+    /// The distance is not positive and finite.
+    Distance(f64),
+    /// A distance in raw bits of a fixed-point format is negative.
+    DistanceBits(i32),
+    /// The intensity is negative, NaN or infinite.
+    Intensity(f64),
+    /// The roughness width `alpha` is not within 0 to 1.
+    Alpha(f64),
+    /// The roughness width `alpha` in raw Q30 bits is not within 0 to `2^30`.
+    AlphaQ30(i32),
+    /// The answer is infinite or greater than the format's greatest number, whose name is held.
+    Overflow(&'static str),
+}
+
+impl fmt::Display for LightError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Ratio(value) => write!(f, "radius over distance is {value}, allowed is 0 to 1"),
+            Self::RatioQ30(bits) => write!(f, "radius over distance is {bits} in Q30, allowed is 0 to {}", 1 << 30),
+            Self::Angle(value) => write!(f, "angle is {value} degrees, allowed is 0 to 360"),
+            Self::AngularRadius(value) => write!(f, "angular radius is {value} radians, allowed is 0 to pi"),
+            Self::AngularRadiusQ30(bits) => {
+                write!(f, "angular radius is {bits} in Q30, allowed is 0 to 1686629713 (pi/2)")
+            }
+            Self::Radius { radius, distance } => {
+                write!(f, "radius is {radius}, allowed is 0 to the distance {distance}")
+            }
+            Self::Distance(value) => write!(f, "distance is {value}, allowed is any positive finite number"),
+            Self::DistanceBits(bits) => write!(f, "distance is {bits} in raw bits, allowed is 0 to {}", i32::MAX),
+            Self::Intensity(value) => write!(f, "intensity is {value}, allowed is any finite number from 0"),
+            Self::Alpha(value) => write!(f, "alpha is {value}, allowed is 0 to 1"),
+            Self::AlphaQ30(bits) => write!(f, "alpha is {bits} in Q30, allowed is 0 to {}", 1 << 30),
+            Self::Overflow(format) => write!(f, "the answer is greater than the greatest number of {format}"),
+        }
+    }
+}
+
+impl core::error::Error for LightError {}

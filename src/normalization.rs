@@ -1,0 +1,171 @@
+//! Light normalisation: how bright must a light of a given size be?
+//!
+//! | quantity | formula | float formats | fixed point |
+//! |---|---|---|---|
+//! | versine | `w = x^2 / (1 + sqrt(1 - x^2))` | [`versine`] | [`versine_q30`], U16F48 |
+//! | solid angle, sr | `2 pi w` | [`solid_angle`] | [`solid_angle_q30`], U16F48 |
+//! | UsdLux sizeFactor, sr | 1, `pi x^2`, `pi (2 - sin^2)` | [`size_factor`] | [`size_factor_q30`], U16F48 |
+//! | its reciprocal | | [`inverse_size_factor`] | [`inverse_size_factor_q30`], U52F12 |
+//! | radiance | `intensity / sizeFactor` | [`radiance`] | [`radiance_q12`], U52F12 |
+//! | small sphere's radiance | `E = (d/R)^2` | [`white_radiance`] | [`white_radiance_q30`], U52F12 |
+//! | radius that looks like the Sun | `d` times the Sun's ratio | [`sun_radius_at`] | [`sun_radius_at_q16`], I16F16 |
+//!
+//! `x` is radius over distance. The functions here take it in the format and stay in the format's own arithmetic; they
+//! cover lights up to half the sky. [`DistantLight`] has the same quantities in f64, also in constants, for every angle up
+//! to 360 degrees and so with sizeFactor's third branch.
+//!
+//! Error: at most 2 units in the last place in f32 and f64, 1 unit of the last place in fixed point; f16 and
+//! `micromath::F32` as `tests/normalization.rs` asserts. The fixed-point formats have 64 bits because no 32-bit format covers sizeFactor from
+//! `x = 1e-6` (3.1e-12) to 1 (pi): U16F48 is 0.06 % coarse at the small end, U52F12 0.08 % at the other.
+
+use core::f64::consts::PI;
+
+use crate::light::{ASTRONOMICAL_UNIT_KM, DistantLight, LightError, SOLAR_RADIUS_KM};
+use crate::real::Float;
+
+/// The Sun's radius over its distance from Earth, from the figures of [`SUN`](crate::SUN).
+const SUN_RATIO: f64 = SOLAR_RADIUS_KM / ASTRONOMICAL_UNIT_KM;
+
+impl DistantLight {
+    /// Solid angle in steradians: `2 pi w`, from 0 to `4 pi`.
+    pub const fn solid_angle(&self) -> f64 {
+        2.0 * PI * self.versine()
+    }
+
+    /// UsdLux `sizeFactor` in steradians: 1 for a point at infinity, `pi sin^2` up to half the sky, `pi (2 - sin^2)` beyond.
+    ///
+    /// Radiance times this is the illuminance of a plane that faces the light; beyond half the sky counting both
+    /// sides of the plane.
+    pub const fn size_factor(&self) -> f64 {
+        let projected = PI * self.sin() * self.sin();
+        if self.versine() == 0.0 {
+            1.0
+        } else if self.cos() >= 0.0 {
+            projected
+        } else {
+            2.0 * PI - projected
+        }
+    }
+
+    /// Radiance of a light that is normalised to give `intensity` as illuminance, whatever its size: `intensity / sizeFactor`.
+    ///
+    /// # Errors
+    /// [`LightError::Intensity`] where `intensity` is negative, NaN or infinite; [`LightError::Overflow`] where the answer is
+    /// infinite.
+    pub const fn radiance(&self, intensity: f64) -> Result<f64, LightError> {
+        if !(intensity >= 0.0 && intensity <= f64::MAX) {
+            return Err(LightError::Intensity(intensity));
+        }
+        let radiance = intensity / self.size_factor();
+        if radiance > f64::MAX { Err(LightError::Overflow("f64")) } else { Ok(radiance) }
+    }
+
+    /// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white.
+    ///
+    /// # Errors
+    /// [`LightError::Overflow`] where that is infinite, as for a point.
+    pub const fn white_radiance(&self) -> Result<f64, LightError> {
+        let inverse = self.distance() / self.radius();
+        let radiance = inverse * inverse;
+        if radiance <= f64::MAX { Ok(radiance) } else { Err(LightError::Overflow("f64")) }
+    }
+}
+
+/// `w = 1 - cos(theta) = x^2 / (1 + sqrt(1 - x^2))`, which nothing is subtracted in that cancels.
+///
+/// # Errors
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
+pub fn versine<T: Float>(ratio: T) -> Result<T, LightError> {
+    let ratio = checked(ratio)?;
+    // One factor first: the square alone is subnormal in f16 at the Sun.
+    Ok(ratio * (ratio / one_plus_cos(ratio)))
+}
+
+/// Solid angle `2 pi w` in steradians.
+///
+/// # Errors
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
+pub fn solid_angle<T: Float>(ratio: T) -> Result<T, LightError> {
+    let ratio = checked(ratio)?;
+    Ok((T::nearest(2.0 * PI) * ratio) * (ratio / one_plus_cos(ratio)))
+}
+
+/// UsdLux `sizeFactor` of a sphere, in steradians: 1 for `x = 0`, else `pi x^2`.
+///
+/// # Errors
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
+pub fn size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
+    let ratio = checked(ratio)?;
+    if ratio == T::nearest(0.0) { Ok(T::nearest(1.0)) } else { Ok((T::nearest(PI) * ratio) * ratio) }
+}
+
+/// `1 / sizeFactor`: 1 for `x = 0`, else `1 / (pi x^2)`.
+///
+/// # Errors
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is infinite, in f16
+/// below `x = 2.2e-3`.
+pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
+    let ratio = checked(ratio)?;
+    let one = T::nearest(1.0);
+    if ratio == T::nearest(0.0) { Ok(one) } else { bounded((T::nearest(1.0 / PI) / ratio) / ratio) }
+}
+
+/// Radiance of a sphere that is normalised to give `intensity` as illuminance: `intensity / (pi x^2)`.
+///
+/// # Errors
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Intensity`] where `intensity` is negative, NaN or
+/// infinite; [`LightError::Overflow`] where the answer is infinite.
+pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
+    let ratio = checked(ratio)?;
+    if !(intensity >= T::nearest(0.0) && intensity - intensity == T::nearest(0.0)) {
+        return Err(LightError::Intensity(intensity.exact()));
+    }
+    if ratio == T::nearest(0.0) { Ok(intensity) } else { bounded(((intensity / T::nearest(PI)) / ratio) / ratio) }
+}
+
+/// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white.
+///
+/// # Errors
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is infinite: for 0, and in
+/// f16 below 1/256.
+pub fn white_radiance<T: Float>(ratio: T) -> Result<T, LightError> {
+    let inverse = T::nearest(1.0) / checked(ratio)?;
+    bounded(inverse * inverse)
+}
+
+/// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit: `distance` times 695 700 / 149 597 870.7.
+///
+/// # Errors
+/// [`LightError::Distance`] where `distance` is not positive and finite.
+pub fn sun_radius_at<T: Float>(distance: T) -> Result<T, LightError> {
+    let zero = T::nearest(0.0);
+    if !(distance > zero && distance - distance == zero) {
+        return Err(LightError::Distance(distance.exact()));
+    }
+    Ok(distance * T::nearest(SUN_RATIO))
+}
+
+fn one_plus_cos<T: Float>(ratio: T) -> T {
+    let one = T::nearest(1.0);
+    one + ((one - ratio) * (one + ratio)).root()
+}
+
+fn checked<T: Float>(ratio: T) -> Result<T, LightError> {
+    let allowed = ratio >= T::nearest(0.0) && ratio <= T::nearest(1.0);
+    if allowed { Ok(ratio) } else { Err(LightError::Ratio(ratio.exact())) }
+}
+
+fn bounded<T: Float>(value: T) -> Result<T, LightError> {
+    // Infinity and NaN are the two whose difference with themselves is not zero.
+    if value - value == T::nearest(0.0) { Ok(value) } else { Err(LightError::Overflow(T::FORMAT)) }
+}
+
+#[cfg(feature = "fixed")]
+mod fixed_point;
+#[cfg(feature = "fixed")]
+pub(crate) use fixed_point::Q60;
+#[cfg(feature = "fixed")]
+pub use fixed_point::{
+    inverse_size_factor_q30, radiance_q12, size_factor_q30, solid_angle_q30, sun_radius_at_q16, versine_q30,
+    white_radiance_q30,
+};

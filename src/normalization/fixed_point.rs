@@ -1,0 +1,145 @@
+//! Light normalisation in integers: ratios in I2F30, answers in 64 bits.
+
+use fixed::types::{I2F30, I16F16, U16F48, U20F12, U52F12};
+
+use super::SUN_RATIO;
+use crate::constant;
+use crate::light::{DistantLight, LightError};
+
+/// Pi in Q61.
+const PI_Q61: u128 = 0x6487_ED51_10B4_611A;
+
+/// 1/pi in Q64.
+const INVERSE_PI_Q64: u128 = 0x517C_C1B7_2722_0A95;
+
+/// Sine, squared sine, cosine and versine of a sphere's angular radius in Q60.
+pub(crate) struct Q60 {
+    pub(crate) sin: u64,
+    pub(crate) sin_square: u64,
+    pub(crate) cos: u64,
+    pub(crate) versine: u64,
+}
+
+impl Q60 {
+    /// From radius over distance; the squared sine is exact, cosine and versine within 1 unit of the last place.
+    pub(crate) fn of(ratio: I2F30) -> Result<Self, LightError> {
+        let bits = ratio.to_bits();
+        if !(0..=1 << 30).contains(&bits) {
+            return Err(LightError::RatioQ30(bits));
+        }
+        let ratio = bits as u64;
+        let sin_square = ratio * ratio;
+        let cos = (u128::from((1 << 60) - sin_square) << 60).isqrt() as u64;
+        // The divisor is at least 2^60, so the division cannot fail.
+        let versine = (u128::from(sin_square) << 60).div_ceil((1_u128 << 60) + u128::from(cos)) as u64;
+        Ok(Self { sin: ratio << 30, sin_square, cos, versine })
+    }
+}
+
+/// `bits / 2^shift`, to nearest.
+fn round(bits: u128, shift: u32) -> u64 {
+    ((bits + (1 << (shift - 1))) >> shift) as u64
+}
+
+/// `dividend / divisor`, to nearest; 0 for a divisor of 0.
+fn quotient(dividend: u128, divisor: u128) -> u128 {
+    dividend.saturating_add(divisor / 2).checked_div(divisor).unwrap_or(0)
+}
+
+fn q12(bits: u128) -> Result<U52F12, LightError> {
+    u64::try_from(bits).map(U52F12::from_bits).map_err(|_| LightError::Overflow("U52F12"))
+}
+
+/// `w = 1 - cos(theta)` of a sphere of radius over distance `ratio`. Within 1 LSB (2^-48).
+///
+/// # Errors
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1.
+pub fn versine_q30(ratio: I2F30) -> Result<U16F48, LightError> {
+    Ok(U16F48::from_bits(round(Q60::of(ratio)?.versine.into(), 12)))
+}
+
+/// Solid angle `2 pi w` in steradians. Within 1 LSB (2^-48).
+///
+/// # Errors
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1.
+pub fn solid_angle_q30(ratio: I2F30) -> Result<U16F48, LightError> {
+    // Q60 times twice Q61, which is Q120 of 2 pi w.
+    Ok(U16F48::from_bits(round(u128::from(Q60::of(ratio)?.versine) * PI_Q61, 72)))
+}
+
+/// UsdLux `sizeFactor` of a sphere, in steradians: 1 for 0, else `pi x^2`. Within 1 LSB (2^-48).
+///
+/// # Errors
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1.
+pub fn size_factor_q30(ratio: I2F30) -> Result<U16F48, LightError> {
+    let square = Q60::of(ratio)?.sin_square;
+    Ok(if square == 0 { U16F48::ONE } else { U16F48::from_bits(round(u128::from(square) * PI_Q61, 73)) })
+}
+
+/// `1 / sizeFactor`: 1 for 0, else `1 / (pi x^2)`. Within 1 LSB (2^-12).
+///
+/// # Errors
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1; [`LightError::Overflow`] never within 1e-8 to 1.
+pub fn inverse_size_factor_q30(ratio: I2F30) -> Result<U52F12, LightError> {
+    let square = Q60::of(ratio)?.sin_square;
+    // 1/pi in Q72 over a Q60 is Q12.
+    if square == 0 { Ok(U52F12::ONE) } else { q12(quotient(INVERSE_PI_Q64 << 8, square.into())) }
+}
+
+/// Radiance of a light that is normalised to give `intensity` as illuminance: `intensity / size_factor`. Within 1 LSB (2^-12) of
+/// the quotient of its arguments. Takes sizeFactor so that it serves lights of every angle, see
+/// [`DistantLight::size_factor_q48`].
+///
+/// # Errors
+/// [`LightError::Overflow`] where the answer is `2^52` or more, or sizeFactor is 0.
+pub fn radiance_q12(intensity: U20F12, size_factor: U16F48) -> Result<U52F12, LightError> {
+    let divisor = u128::from(size_factor.to_bits());
+    if divisor == 0 {
+        return Err(LightError::Overflow("U52F12"));
+    }
+    q12(quotient(u128::from(intensity.to_bits()) << 48, divisor))
+}
+
+/// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white. Within 1 LSB (2^-12).
+///
+/// # Errors
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1; [`LightError::Overflow`] where the answer is `2^52` or more, that is
+/// below `1.5e-8`.
+pub fn white_radiance_q30(ratio: I2F30) -> Result<U52F12, LightError> {
+    let square = Q60::of(ratio)?.sin_square;
+    if square == 0 { Err(LightError::Overflow("U52F12")) } else { q12(quotient(1 << 72, square.into())) }
+}
+
+/// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit. Within 1 LSB (2^-16).
+///
+/// # Errors
+/// [`LightError::DistanceBits`] where `distance` is not positive.
+pub fn sun_radius_at_q16(distance: I16F16) -> Result<I16F16, LightError> {
+    const RATIO_Q32: i64 = constant::to_fixed(SUN_RATIO, 32);
+    let bits = distance.to_bits();
+    if bits <= 0 {
+        return Err(LightError::DistanceBits(bits));
+    }
+    Ok(I16F16::from_bits(((i64::from(bits) * RATIO_Q32 + (1 << 31)) >> 32) as i32))
+}
+
+impl DistantLight {
+    /// [`DistantLight::size_factor`] rounded to U16F48, for all angles, in constants too.
+    pub const fn size_factor_q48(&self) -> U16F48 {
+        U16F48::from_bits(constant::to_fixed(self.size_factor(), 48) as u64)
+    }
+
+    /// [`DistantLight::solid_angle`] rounded to U16F48, for all angles, in constants too.
+    pub const fn solid_angle_q48(&self) -> U16F48 {
+        U16F48::from_bits(constant::to_fixed(self.solid_angle(), 48) as u64)
+    }
+
+    /// 1 over [`DistantLight::size_factor`] rounded to U52F12, for all angles, in constants too.
+    ///
+    /// # Errors
+    /// [`LightError::Overflow`] where that is `2^52` or more.
+    pub const fn inverse_size_factor_q12(&self) -> Result<U52F12, LightError> {
+        let bits = constant::to_fixed(1.0 / self.size_factor(), 12);
+        if bits == i64::MAX { Err(LightError::Overflow("U52F12")) } else { Ok(U52F12::from_bits(bits as u64)) }
+    }
+}

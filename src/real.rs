@@ -1,0 +1,80 @@
+//! The seam: what one number format has to bring so that every formula of this crate runs in it.
+//!
+//! A formula is written once, over [`Real`]. The float formats share one implementation over [`Float`]
+//! (`f64`, `f32`, `micromath::F32`, `half::f16`); the fixed-point formats keep squares and sums of products in a
+//! wide accumulator and round once, when they narrow.
+
+#[cfg(feature = "fixed")]
+pub(crate) mod fixed;
+mod float;
+#[cfg(feature = "half")]
+pub(crate) mod half;
+#[cfg(feature = "micromath")]
+mod micro;
+
+pub use float::Float;
+
+use core::fmt::Debug;
+
+/// A number format in which directions are held and lit.
+///
+/// Lanes of unit vectors are of the type itself. Scalars that come from products of lanes (dot products, squares) and
+/// the constants of a light are [`Real::Wide`]: the type itself for floats, twice the fraction bits for fixed point.
+///
+/// The trait is open: a study or a test may bring a format of its own. No method panics, and vectors of length up to
+/// 1.4 never overflow.
+pub trait Real: Copy + PartialOrd + Debug {
+    /// Scalars of products: `f32` for `f32`, Q28 in an `i32` for I2F14, Q60 in an `i64` for I2F30.
+    type Wide: Copy + PartialOrd + Debug;
+
+    /// A power of two by which lengths are scaled before they are squared, so that the square of a light's radius stays a
+    /// normal number: 64 in f16, else 1.
+    const SQUARE_SCALE: f64 = 1.0;
+
+    /// Name of the format, as tables and charts print it.
+    const NAME: &'static str;
+
+    /// The nearest value of the format; a value out of range gives the nearest end (infinity for floats).
+    fn from_f64(value: f64) -> Self;
+
+    /// The exact value, for oracles and tables.
+    fn to_f64(self) -> f64;
+
+    /// The nearest wide value; saturates like [`Real::from_f64`].
+    fn wide(value: f64) -> Self::Wide;
+
+    /// `a + b`, saturating in fixed point.
+    fn add(a: Self, b: Self) -> Self;
+
+    /// `a - b`, saturating in fixed point.
+    fn sub(a: Self, b: Self) -> Self;
+
+    /// The dot product, exact in fixed point.
+    fn dot(a: [Self; 3], b: [Self; 3]) -> Self::Wide;
+
+    /// `2 a`, wrapping in fixed point.
+    fn twice(a: Self::Wide) -> Self::Wide;
+
+    /// `a x - b y` lane by lane; fixed point rounds once.
+    fn diff(a: Self::Wide, x: [Self; 3], b: Self::Wide, y: [Self; 3]) -> [Self; 3];
+
+    /// `v` times a power of two, exactly, so that what is subtracted from `v` next is rounded relative to its size;
+    /// and the exponent. Floats do so by themselves, hence the default of no magnification.
+    fn magnify(v: [Self; 3]) -> ([Self; 3], u32) {
+        (v, 0)
+    }
+
+    /// The squared length times [`Real::SQUARE_SCALE`] squared.
+    fn square(v: [Self; 3]) -> Self::Wide;
+
+    /// Whether `square`, taken of a vector magnified by `2^exponent`, is at most `limit`.
+    fn within(square: Self::Wide, exponent: u32, limit: Self::Wide) -> bool;
+
+    /// `l - versine l + s length / |s|`, the direction that lies `length` beside `l` on the side of `s`.
+    ///
+    /// `square` is [`Real::square`] of `s` and greater than zero; fixed point rounds once.
+    fn rim(l: [Self; 3], versine: Self::Wide, s: [Self; 3], square: Self::Wide, length: Self::Wide) -> [Self; 3];
+
+    /// `v` at unit length; zero where `v` is zero or not finite.
+    fn normalize(v: [Self; 3]) -> [Self; 3];
+}

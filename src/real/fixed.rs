@@ -1,0 +1,194 @@
+//! Fixed point: lanes in 16 or 32 bits, scalars with twice the fraction bits, one rounding at the end.
+//!
+//! The kernels work on 32-bit lanes with `F` fraction bits. Scalars that multiply lanes are Q31 or Q32 in an
+//! `i64`, whatever the format, since that is finer than the finest lane. All arithmetic that can leave its range
+//! for vectors much longer than one wraps, so that such vectors give a wrong direction but never a panic.
+
+use fixed::types::{I2F14, I2F30, I16F16};
+
+use super::Real;
+use crate::constant;
+use crate::root::reciprocal_root;
+
+type Lanes = [i32; 3];
+
+/// A format whose raw bits fit in 32.
+trait Lane: Copy {
+    fn bits(self) -> i32;
+    fn clamped(bits: i32) -> Self;
+}
+
+/// `acc / 2^shift`, to nearest, halves upwards.
+const fn round_shift(acc: i64, shift: u32) -> i64 {
+    (acc >> shift) + ((acc >> (shift - 1)) & 1)
+}
+
+fn dot(a: Lanes, b: Lanes) -> i64 {
+    let product = |i: usize| i64::from(a[i]) * i64::from(b[i]);
+    product(0).wrapping_add(product(1)).wrapping_add(product(2))
+}
+
+/// A wide scalar of `2 F` fraction bits in Q31.
+const fn q31<const F: u32>(scalar: i64) -> i64 {
+    if 2 * F > 31 { round_shift(scalar, 2 * F - 31) } else { scalar << (31 - 2 * F) }
+}
+
+/// `a x - b y` with `a`, `b` wide: products in Q(31 + F), rounded to QF once.
+fn diff<const F: u32>(a: i64, x: Lanes, b: i64, y: Lanes) -> Lanes {
+    let [a, b] = [a, b].map(q31::<F>);
+    let product = |scalar: i64, lane: i32| scalar.wrapping_mul(i64::from(lane));
+    [0, 1, 2].map(|i| saturate(round_shift(product(a, x[i]).wrapping_sub(product(b, y[i])), 31)))
+}
+
+fn saturate(lane: i64) -> i32 {
+    lane.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
+}
+
+/// Shifts the largest lane into [1/2, 1) where it is smaller.
+fn magnify<const F: u32>(v: Lanes) -> (Lanes, u32) {
+    let size = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
+    let shift = (size | 1).leading_zeros().saturating_sub(32 - F);
+    (v.map(|lane| lane << shift), shift)
+}
+
+/// `1 / sqrt(square)` as a Q31 mantissa in [1, 2) and the half exponent `h`: `mantissa 2^(h - 63)` in units of lanes.
+fn unit(square: u64) -> (u64, u32) {
+    let even = square.leading_zeros() & !1;
+    (u64::from(reciprocal_root(((square << even) >> 32) as u32)), even / 2)
+}
+
+/// `l - versine l + s length / |s|`: the factor of `s` in Q32, sums in Q(32 + F), rounded to QF once.
+fn rim<const F: u32>(l: Lanes, versine: i64, s: Lanes, square: u64, length: i64) -> Lanes {
+    let (mantissa, half) = unit(square | 1);
+    // A Q31 length times a Q31 mantissa, less the 63 - F bits that turn lanes into units, but for the bit that Q32 has more.
+    let k = (q31::<F>(length) as u64).wrapping_mul(mantissa) >> (62 - F - half);
+    let remain = (1 << 32) - 2 * q31::<F>(versine);
+    let product = |scalar: i64, lane: i32| scalar.wrapping_mul(i64::from(lane));
+    [0, 1, 2].map(|i| saturate(round_shift(product(remain, l[i]).wrapping_add(product(k as i64, s[i])), 32)))
+}
+
+fn normalize<const F: u32>(v: Lanes) -> Lanes {
+    let square = dot(v, v) as u64;
+    if square == 0 {
+        return [0; 3];
+    }
+    let (mantissa, half) = unit(square);
+    v.map(|lane| saturate(round_shift(i64::from(lane) * mantissa as i64, 63 - F - half)))
+}
+
+/// A wide constant in `fraction` fraction bits.
+pub(crate) const fn wide_i64<const FRACTION: u32>(value: f64) -> i64 {
+    constant::to_fixed(value, FRACTION)
+}
+
+/// A wide constant in 32 bits.
+pub(crate) const fn wide_i32<const FRACTION: u32>(value: f64) -> i32 {
+    let bits = constant::to_fixed(value, FRACTION);
+    if bits > i32::MAX as i64 {
+        i32::MAX
+    } else if bits < i32::MIN as i64 {
+        i32::MIN
+    } else {
+        bits as i32
+    }
+}
+
+// A macro, since the blanket implementation for floats leaves no room for a second generic one: the compiler cannot rule out
+// that somebody makes `FixedI32<TheirFraction>` a `Float`.
+macro_rules! fixed_point {
+    ($format:ty, $name:literal, $lane:ty, $wide:ty, $unsigned:ty, $fraction:literal, $constant:path) => {
+        impl Lane for $format {
+            #[inline]
+            fn bits(self) -> i32 {
+                i32::from(self.to_bits())
+            }
+
+            #[inline]
+            fn clamped(bits: i32) -> Self {
+                Self::from_bits(bits.clamp(<$lane>::MIN.into(), <$lane>::MAX.into()) as $lane)
+            }
+        }
+
+        impl Real for $format {
+            type Wide = $wide;
+
+            const NAME: &'static str = $name;
+
+            fn from_f64(value: f64) -> Self {
+                let bits = constant::to_fixed(value, $fraction);
+                Self::from_bits(bits.clamp(<$lane>::MIN.into(), <$lane>::MAX.into()) as $lane)
+            }
+
+            fn to_f64(self) -> f64 {
+                f64::from(self.to_bits()) / f64::from(1_u32 << $fraction)
+            }
+
+            fn wide(value: f64) -> $wide {
+                $constant(value)
+            }
+
+            #[inline]
+            fn add(a: Self, b: Self) -> Self {
+                a.saturating_add(b)
+            }
+
+            #[inline]
+            fn sub(a: Self, b: Self) -> Self {
+                a.saturating_sub(b)
+            }
+
+            #[inline]
+            fn dot(a: [Self; 3], b: [Self; 3]) -> $wide {
+                dot(a.map(Lane::bits), b.map(Lane::bits)) as $wide
+            }
+
+            #[inline]
+            fn twice(a: $wide) -> $wide {
+                a.wrapping_mul(2)
+            }
+
+            #[inline]
+            fn diff(a: $wide, x: [Self; 3], b: $wide, y: [Self; 3]) -> [Self; 3] {
+                diff::<$fraction>(a.into(), x.map(Lane::bits), b.into(), y.map(Lane::bits)).map(Lane::clamped)
+            }
+
+            #[inline]
+            fn magnify(v: [Self; 3]) -> ([Self; 3], u32) {
+                let (v, exponent) = magnify::<$fraction>(v.map(Lane::bits));
+                (v.map(Lane::clamped), exponent)
+            }
+
+            #[inline]
+            fn square(v: [Self; 3]) -> $wide {
+                Self::dot(v, v)
+            }
+
+            #[inline]
+            fn within(square: $wide, exponent: u32, limit: $wide) -> bool {
+                (square as $unsigned) >> (2 * exponent) <= limit as $unsigned
+            }
+
+            #[inline]
+            fn rim(l: [Self; 3], versine: $wide, s: [Self; 3], square: $wide, length: $wide) -> [Self; 3] {
+                let square = u64::from(square as $unsigned);
+                rim::<$fraction>(l.map(Lane::bits), versine.into(), s.map(Lane::bits), square, length.into())
+                    .map(Lane::clamped)
+            }
+
+            #[inline]
+            fn normalize(v: [Self; 3]) -> [Self; 3] {
+                normalize::<$fraction>(v.map(Lane::bits)).map(Lane::clamped)
+            }
+        }
+
+        const _: () = {
+            /// Compiles only where the format holds 1.
+            const ONE: $format = <$format>::ONE;
+            assert!(ONE.to_bits() == 1 << $fraction);
+        };
+    };
+}
+
+fixed_point!(I2F14, "I2F14", i16, i32, u32, 14, wide_i32::<28>);
+fixed_point!(I2F30, "I2F30", i32, i64, u64, 30, wide_i64::<60>);
+fixed_point!(I16F16, "I16F16", i32, i64, u64, 16, wide_i64::<32>);

@@ -1,0 +1,46 @@
+//! `half::f16`: every operation rounded to 11 bits, as the hardware does.
+
+use half::f16;
+
+use super::Float;
+
+impl Float for f16 {
+    const FORMAT: &'static str = "f16";
+
+    // The Sun's x^2 = 2.2e-5 is below f16's smallest normal number, which hardware may flush to zero; (64 x)^2 is not.
+    const SCALE: f64 = 64.0;
+
+    const SAFE_SQUARE: [f64; 2] = [0.0625, 1024.0];
+
+    fn nearest(value: f64) -> Self {
+        nearest(value)
+    }
+
+    fn exact(self) -> f64 {
+        f64::from(self)
+    }
+
+    fn over_root(length: Self, square: Self) -> Self {
+        length / square.root()
+    }
+
+    fn root(self) -> Self {
+        f16::from_f32(libm::sqrtf(f32::from(self)))
+    }
+}
+
+/// The nearest f16, ties to even.
+///
+/// `f16::from_f64` rounds twice on hardware that has only f32 conversions, and its fallback drops low bits.
+pub(crate) const fn nearest(value: f64) -> f16 {
+    // Adding 1.5 * 2^28 leaves 2^-24 as the last bit, which is the step of f16's subnormals.
+    const SUBNORMAL: f64 = 402_653_184.0;
+    if value > -6.103515625e-5 && value < 6.103515625e-5 {
+        return f16::from_f64_const((value + SUBNORMAL) - SUBNORMAL);
+    }
+    let bits = value.to_bits();
+    let odd = (bits >> 42) & 1;
+    // A mantissa that rounds up past its end carries into the exponent, as it should; NaN keeps its payload's top bit.
+    let rounded = if value.is_nan() { bits } else { bits + ((1 << 41) - 1) + odd };
+    f16::from_f64_const(f64::from_bits(rounded & !((1 << 42) - 1)))
+}

@@ -1,0 +1,179 @@
+//! The constants of a light in one number format, computed once and outside the pixel.
+
+use crate::light::{DistantLight, LightError};
+use crate::real::{Float, Real};
+
+/// What the direction methods need of a light, rounded into the format `T`.
+///
+/// Floats hold each constant rounded to nearest. Fixed point holds them with twice its fraction bits: Q28 for I2F14, Q60
+/// for I2F30, Q32 for I16F16.
+///
+/// ```
+/// use fixed::types::I2F14;
+/// use sunglint::{DistantSphere, SUN};
+///
+/// // 16 bytes of flash, and no float arithmetic at run time.
+/// const SUN_Q14: DistantSphere<I2F14> = DistantSphere::<I2F14>::new(&SUN);
+/// assert_eq!(core::mem::size_of_val(&SUN_Q14), 16);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistantSphere<T: Real> {
+    pub(crate) sin: T::Wide,
+    pub(crate) sin_square: T::Wide,
+    pub(crate) cos: T::Wide,
+    pub(crate) versine: T::Wide,
+}
+
+impl<T: Real> DistantSphere<T> {
+    /// The constants of `light` in any format; for a constant of one of the seven formats use its `new`.
+    pub fn of(light: &DistantLight) -> Self {
+        Self {
+            sin: T::wide(light.sin()),
+            sin_square: square_of::<T>(light.sin()),
+            cos: T::wide(least_cosine(light)),
+            versine: T::wide(light.versine()),
+        }
+    }
+
+    /// Sine of the angular radius, which is radius over distance.
+    pub fn sin(&self) -> T::Wide {
+        self.sin
+    }
+
+    /// Its square, in the scale of [`Real::square`]: times 4096 in f16, where it would be subnormal.
+    pub fn sin_square(&self) -> T::Wide {
+        self.sin_square
+    }
+
+    /// Least cosine of a direction inside the disc: the cosine of the angular radius, or -2 for the full sphere, in which
+    /// also directions lie whose dot product is a rounding below -1.
+    pub fn cos(&self) -> T::Wide {
+        self.cos
+    }
+
+    /// `1 - cos` of the angular radius.
+    pub fn versine(&self) -> T::Wide {
+        self.versine
+    }
+}
+
+impl<T: Float> DistantSphere<T> {
+    /// The constants of a sphere whose radius over distance is `ratio`, computed in the format itself, for a light that
+    /// moves on a chip without f64. Within 2 units in the last place (4 for `micromath::F32`).
+    ///
+    /// # Errors
+    /// [`LightError::Ratio`] for NaN, negative values and values above 1.
+    pub fn from_ratio(ratio: T) -> Result<Self, LightError> {
+        let [zero, one, scale] = [0.0, 1.0, T::SCALE].map(T::nearest);
+        if !(ratio >= zero && ratio <= one) {
+            return Err(LightError::Ratio(ratio.exact()));
+        }
+        let cos = ((one - ratio) * (one + ratio)).root();
+        let versine = ratio * (ratio / (one + cos));
+        let scaled = ratio * scale;
+        Ok(Self { sin: ratio, sin_square: scaled * scaled, cos, versine })
+    }
+}
+
+const fn least_cosine(light: &DistantLight) -> f64 {
+    if light.versine() >= 2.0 { -2.0 } else { light.cos() }
+}
+
+fn square_of<T: Real>(length: f64) -> T::Wide {
+    let scaled = length * T::SQUARE_SCALE;
+    T::wide(scaled * scaled)
+}
+
+/// What [`epic`](crate::epic) needs of a light: radius and distance, not divided by each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnfactoredSphere<T: Real> {
+    pub(crate) radius: T::Wide,
+    pub(crate) radius_square: T::Wide,
+    pub(crate) distance: T::Wide,
+}
+
+impl<T: Real> UnfactoredSphere<T> {
+    /// Radius and distance of `light` in its own unit. A format that cannot hold them has infinities (floats) or its
+    /// greatest number (fixed point) here, and `epic` fails.
+    pub fn of(light: &DistantLight) -> Self {
+        Self {
+            radius: T::wide(light.radius()),
+            radius_square: square_of::<T>(light.radius()),
+            distance: T::wide(light.distance()),
+        }
+    }
+}
+
+const fn to_f64(value: f64) -> f64 {
+    value
+}
+
+const fn to_f32(value: f64) -> f32 {
+    value as f32
+}
+
+#[cfg(feature = "micromath")]
+const fn to_micromath(value: f64) -> micromath::F32 {
+    micromath::F32(value as f32)
+}
+
+// A macro, since no function of a trait can be called in a constant.
+macro_rules! constants_of {
+    ($format:ty, $wide:path, $scale:expr) => {
+        impl DistantSphere<$format> {
+            /// The constants of `light`, each rounded to nearest; in constants too.
+            pub const fn new(light: &DistantLight) -> Self {
+                let scaled = light.sin() * $scale;
+                Self {
+                    sin: $wide(light.sin()),
+                    sin_square: $wide(scaled * scaled),
+                    cos: $wide(least_cosine(light)),
+                    versine: $wide(light.versine()),
+                }
+            }
+        }
+    };
+}
+
+constants_of!(f64, to_f64, 1.0);
+constants_of!(f32, to_f32, 1.0);
+#[cfg(feature = "micromath")]
+constants_of!(micromath::F32, to_micromath, 1.0);
+#[cfg(feature = "half")]
+constants_of!(half::f16, crate::real::half::nearest, <half::f16 as Float>::SCALE);
+
+#[cfg(feature = "fixed")]
+mod fixed_point {
+    use fixed::types::{I2F14, I2F30, I16F16};
+
+    use super::{DistantLight, DistantSphere, LightError, least_cosine};
+    use crate::normalization::Q60;
+    use crate::real::fixed::{wide_i32, wide_i64};
+
+    constants_of!(I2F14, wide_i32::<28>, 1.0);
+    constants_of!(I2F30, wide_i64::<60>, 1.0);
+    constants_of!(I16F16, wide_i64::<32>, 1.0);
+
+    // A macro for the sake of the wide type's cast.
+    macro_rules! integers_of {
+        ($format:ty, $wide:ty, $fraction:literal) => {
+            impl DistantSphere<$format> {
+                /// The constants of a sphere whose radius over distance is `ratio`, in integers to the end, for a light
+                /// that moves on a chip without an FPU. Within 1 unit of the wide format's last place.
+                ///
+                /// # Errors
+                /// [`LightError::RatioQ30`] for negative values and values above 1.
+                pub fn from_ratio_q30(ratio: I2F30) -> Result<Self, LightError> {
+                    let Q60 { sin, sin_square, cos, versine } = Q60::of(ratio)?;
+                    let [sin, sin_square, cos, versine] = [sin, sin_square, cos, versine]
+                        .map(|bits| ((bits >> (60 - $fraction)) + ((bits << 1 >> (60 - $fraction)) & 1)) as $wide);
+                    Ok(Self { sin, sin_square, cos, versine })
+                }
+            }
+        };
+    }
+
+    integers_of!(I2F14, i32, 28);
+    integers_of!(I2F30, i64, 60);
+    integers_of!(I16F16, i64, 32);
+}

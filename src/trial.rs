@@ -1,0 +1,15 @@
+//! What is compared, once for tests, fuzzers, firmware and study: methods, formats, lights, inputs and error budgets.
+//!
+//! No standard library, no allocation.
+
+pub mod budget;
+pub mod format;
+pub mod input;
+pub mod judge;
+pub mod lights;
+pub mod method;
+
+pub use format::{Format, Visitor};
+pub use judge::{Judgement, Worst, judge};
+pub use lights::Light;
+pub use method::{Constants, Method};

@@ -1,0 +1,74 @@
+//! The number formats as a list.
+
+use crate::real::Real;
+
+/// One of the seven number formats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// `f64` over libm.
+    F64,
+    /// `f32` over libm.
+    F32,
+    /// `micromath::F32`.
+    Micromath,
+    /// `half::f16`.
+    F16,
+    /// `fixed::types::I2F14`, Q28 accumulators.
+    I2F14,
+    /// `fixed::types::I2F30`, Q60 accumulators.
+    I2F30,
+    /// `fixed::types::I16F16`, Q32 accumulators.
+    I16F16,
+}
+
+/// What is to be done in a format, once that is a type.
+pub trait Visitor {
+    /// What comes of it.
+    type Output;
+    /// Does it in the format `T`.
+    fn visit<T: Real>(self) -> Self::Output;
+}
+
+impl Format {
+    /// All formats, in the order of tables.
+    pub const ALL: [Self; 7] =
+        [Self::F64, Self::F32, Self::Micromath, Self::F16, Self::I2F14, Self::I2F30, Self::I16F16];
+
+    /// Calls `visitor` with the format's type.
+    pub fn visit<V: Visitor>(self, visitor: V) -> V::Output {
+        match self {
+            Self::F64 => visitor.visit::<f64>(),
+            Self::F32 => visitor.visit::<f32>(),
+            Self::Micromath => visitor.visit::<micromath::F32>(),
+            Self::F16 => visitor.visit::<half::f16>(),
+            Self::I2F14 => visitor.visit::<fixed::types::I2F14>(),
+            Self::I2F30 => visitor.visit::<fixed::types::I2F30>(),
+            Self::I16F16 => visitor.visit::<fixed::types::I16F16>(),
+        }
+    }
+
+    /// Name of the format.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F64 => <f64 as Real>::NAME,
+            Self::F32 => <f32 as Real>::NAME,
+            Self::Micromath => <micromath::F32 as Real>::NAME,
+            Self::F16 => <half::f16 as Real>::NAME,
+            Self::I2F14 => <fixed::types::I2F14 as Real>::NAME,
+            Self::I2F30 => <fixed::types::I2F30 as Real>::NAME,
+            Self::I16F16 => <fixed::types::I16F16 as Real>::NAME,
+        }
+    }
+
+    /// The step between numbers just below 1.
+    pub const fn step(self) -> f64 {
+        match self {
+            Self::F64 => f64::EPSILON / 2.0,
+            Self::F32 | Self::Micromath => (f32::EPSILON / 2.0) as f64,
+            Self::F16 => 1.0 / 2048.0,
+            Self::I2F14 => 1.0 / 16384.0,
+            Self::I2F30 => 1.0 / 1_073_741_824.0,
+            Self::I16F16 => 1.0 / 65536.0,
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Measures a method in a format under a light against the oracle.
+
+use super::input::Pair;
+use super::method::{Constants, Method};
+use crate::light::DistantLight;
+use crate::oracle;
+use crate::real::Real;
+
+/// An error and the rounded inputs that it was found at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst<T> {
+    /// In radians.
+    pub error: f64,
+    /// Direction to the light.
+    pub l: [T; 3],
+    /// Mirror direction.
+    pub r: [T; 3],
+}
+
+/// What came of trying a method on many directions. Errors are angles in radians, each maximum and root mean square.
+#[derive(Clone, Copy, Debug)]
+pub struct Judgement<T> {
+    /// Directions tried.
+    pub samples: u64,
+    /// Answers with a NaN or an infinity, which count in none of the errors.
+    pub non_finite: u64,
+    /// Worst arithmetic error: computed against the exact value of the same formula at the rounded inputs.
+    pub worst: Worst<T>,
+    /// Mean of the squared arithmetic error.
+    pub mean_square: f64,
+    /// Worst model error: the exact value of the formula against the nearest direction of the disc.
+    pub model_max: f64,
+    /// Mean of the squared model error.
+    pub model_mean_square: f64,
+    /// Worst error of both together.
+    pub total_max: f64,
+    /// Mean of the squared error of both together.
+    pub total_mean_square: f64,
+    /// Worst error of the answer, in units of the angular radius, where `r` is within ten radii of the light: what of the
+    /// disc is drawn. 1 is a disc that is lost.
+    pub disc_lost: f64,
+}
+
+/// Tries `method` on `pairs`, each rounded into the format first.
+pub fn judge<T: Real>(
+    method: Method,
+    light: &DistantLight,
+    pairs: impl Iterator<Item = Pair>,
+    epsilon: f64,
+) -> Judgement<T> {
+    let constants = Constants::<T>::of(light);
+    let zero = [T::from_f64(0.0); 3];
+    let mut sum = Judgement {
+        samples: 0,
+        non_finite: 0,
+        worst: Worst { error: 0.0, l: zero, r: zero },
+        mean_square: 0.0,
+        model_max: 0.0,
+        model_mean_square: 0.0,
+        total_max: 0.0,
+        total_mean_square: 0.0,
+        disc_lost: 0.0,
+    };
+    for Pair { l, r } in pairs {
+        let (l, r) = (l.map(T::from_f64), r.map(T::from_f64));
+        let answer = method.direction(l, r, &constants).map(T::to_f64);
+        if method.is_defined(l.map(T::to_f64), r.map(T::to_f64), light, epsilon) {
+            add(&mut sum, method, light, Worst { error: 0.0, l, r }, answer);
+        }
+    }
+    let mean = |total: f64| total / (sum.samples - sum.non_finite).max(1) as f64;
+    Judgement {
+        mean_square: mean(sum.mean_square),
+        model_mean_square: mean(sum.model_mean_square),
+        total_mean_square: mean(sum.total_mean_square),
+        ..sum
+    }
+}
+
+fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at: Worst<T>, answer: [f64; 3]) {
+    sum.samples += 1;
+    if !answer.into_iter().all(f64::is_finite) {
+        sum.non_finite += 1;
+        return;
+    }
+    let (l, r) = (at.l.map(T::to_f64), at.r.map(T::to_f64));
+    let exact = method.truth(l, r, light);
+    let nearest = oracle::nearest_in_disc(l, r, light.angular_radius());
+    let error = oracle::angle_between(answer, exact);
+    let model = oracle::angle_between(exact, nearest);
+    let total = oracle::angle_between(answer, nearest);
+    sum.mean_square += error * error;
+    sum.model_mean_square += model * model;
+    sum.total_mean_square += total * total;
+    if error > sum.worst.error {
+        sum.worst = Worst { error, ..at };
+    }
+    sum.model_max = sum.model_max.max(model);
+    sum.total_max = sum.total_max.max(total);
+    if oracle::angle_between(l, r) <= 10.0 * light.angular_radius() {
+        sum.disc_lost = sum.disc_lost.max(error / light.angular_radius());
+    }
+}
