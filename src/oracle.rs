@@ -62,6 +62,29 @@ pub fn sphere_power(radius: f64) -> f64 {
     area * illuminance(PI / 2.0)
 }
 
+/// The normalisation quantities of a sphere in closed form, through the angle: for judging narrow formats to their last place.
+/// `tests/oracle.rs` holds the integrals against them.
+pub mod closed {
+    use super::{PI, angular_radius};
+
+    /// `2 sin^2(theta / 2)`.
+    pub fn versine(ratio: f64) -> f64 {
+        let half = libm::sin(angular_radius(ratio) / 2.0);
+        2.0 * half * half
+    }
+
+    /// `4 pi sin^2(theta / 2)`.
+    pub fn solid_angle(ratio: f64) -> f64 {
+        2.0 * PI * versine(ratio)
+    }
+
+    /// `pi sin^2(theta)`, 1 for 0.
+    pub fn size_factor(ratio: f64) -> f64 {
+        let sin = libm::sin(angular_radius(ratio));
+        if sin == 0.0 { 1.0 } else { PI * sin * sin }
+    }
+}
+
 /// Simpson's rule on 2000 intervals.
 fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     const INTERVALS: u32 = 2000;

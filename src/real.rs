@@ -23,9 +23,9 @@ use core::fmt::Debug;
 ///
 /// The trait is open: a study or a test may bring a format of its own. No method panics, and vectors of length up to
 /// 1.4 never overflow.
-pub trait Real: Copy + PartialOrd + Debug {
+pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// Scalars of products: `f32` for `f32`, Q28 in an `i32` for I2F14, Q60 in an `i64` for I2F30.
-    type Wide: Copy + PartialOrd + Debug;
+    type Wide: Copy + PartialOrd + Debug + 'static;
 
     /// A power of two by which lengths are scaled before they are squared, so that the square of a light's radius stays a
     /// normal number: 64 in f16, else 1.

@@ -8,6 +8,7 @@ pub mod input;
 pub mod judge;
 pub mod lights;
 pub mod method;
+pub mod quantity;
 
 pub use format::{Format, Visitor};
 pub use judge::{Judgement, Worst, judge};

@@ -1,5 +1,6 @@
 //! Float formats: one implementation of the seam for all of them.
 
+use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
 use super::Real;
@@ -8,7 +9,7 @@ use super::Real;
 ///
 /// Implemented for `f64`, `f32`, `micromath::F32` and `half::f16`; a study may add its own.
 pub trait Float:
-    Copy + PartialOrd + core::fmt::Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+    'static + Copy + PartialOrd + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// Name of the format.
     const FORMAT: &'static str;

@@ -60,6 +60,39 @@ impl Format {
         }
     }
 
+    /// The raw bits of `value`, which the format must hold exactly, in as many low bits as it has.
+    pub fn bits(self, value: f64) -> u64 {
+        match self {
+            Self::F64 => value.to_bits(),
+            Self::F32 | Self::Micromath => (value as f32).to_bits().into(),
+            Self::F16 => half::f16::from_f64(value).to_bits().into(),
+            Self::I2F14 => (<fixed::types::I2F14 as Real>::from_f64(value).to_bits() as u16).into(),
+            Self::I2F30 => (<fixed::types::I2F30 as Real>::from_f64(value).to_bits() as u32).into(),
+            Self::I16F16 => (<fixed::types::I16F16 as Real>::from_f64(value).to_bits() as u32).into(),
+        }
+    }
+
+    /// How many bits a number of the format has.
+    pub const fn width(self) -> usize {
+        match self {
+            Self::F64 => 64,
+            Self::F32 | Self::Micromath | Self::I2F30 | Self::I16F16 => 32,
+            Self::F16 | Self::I2F14 => 16,
+        }
+    }
+
+    /// The unit in the last place of a float format's numbers of the size of `value`; the step of its subnormals below its
+    /// least normal number.
+    pub fn ulp(self, value: f64) -> f64 {
+        let (precision, least_exponent) = match self {
+            Self::F64 => (53, -1022),
+            Self::F16 => (11, -14),
+            _ => (24, -126),
+        };
+        let exponent = libm::ilogb(value).max(least_exponent);
+        libm::scalbn(1.0, exponent - precision + 1)
+    }
+
     /// The step between numbers just below 1.
     pub const fn step(self) -> f64 {
         match self {

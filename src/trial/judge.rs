@@ -36,10 +36,13 @@ pub struct Judgement<T> {
     pub total_max: f64,
     /// Mean of the squared error of both together.
     pub total_mean_square: f64,
-    /// Worst error of the answer, in units of the angular radius, where `r` is within ten radii of the light: what of the
-    /// disc is drawn. 1 is a disc that is lost.
+    /// Worst arithmetic error in units of the angular radius where `r` is within ten radii of the light (and 90 degrees): how
+    /// far off the disc is drawn. From [`DISC_LOST`] on the disc is lost.
     pub disc_lost: f64,
 }
+
+/// Half a radius.
+pub const DISC_LOST: f64 = 0.5;
 
 /// Tries `method` on `pairs`, each rounded into the format first.
 pub fn judge<T: Real>(
@@ -97,7 +100,7 @@ fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at
     }
     sum.model_max = sum.model_max.max(model);
     sum.total_max = sum.total_max.max(total);
-    if oracle::angle_between(l, r) <= 10.0 * light.angular_radius() {
+    if oracle::angle_between(l, r) <= (10.0 * light.angular_radius()).min(core::f64::consts::FRAC_PI_2) {
         sum.disc_lost = sum.disc_lost.max(error / light.angular_radius());
     }
 }

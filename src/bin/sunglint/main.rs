@@ -3,6 +3,7 @@
 //! Exit codes: 0 where all went well, 1 where a file could not be written, 2 for a wrong command line.
 
 mod chart;
+mod clock;
 mod error_kind;
 mod frame;
 mod frontier;
@@ -17,6 +18,7 @@ mod output;
 mod page;
 mod page_table;
 mod panel;
+mod quantities;
 mod result;
 #[cfg(test)]
 mod sample;

@@ -1,118 +1,142 @@
-//! Stand-in for the measurement: numbers of a plausible size, so that the outputs can be looked at.
+//! The errors of every method in every format, on all cores.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 
 use indicatif::ProgressBar;
+use sunglint::Real;
+use sunglint::trial::judge::DISC_LOST;
+use sunglint::trial::{Format, Judgement, Light, Method, Visitor, input, judge, lights};
 
+use crate::clock::{self, Cost};
 use crate::options::Options;
-use crate::result::{QuantityRow, Row, Study};
+use crate::quantities;
+use crate::result::{Row, Study};
 
-const LIGHTS: [(&str, f64); 5] = [
-    ("Sun from Earth", 0.004650467),
-    ("Sun from Mars", 0.0030521),
-    ("Sun from Jupiter", 0.000893566),
-    ("area light 0.05", 0.05),
-    ("area light 0.5", 0.5),
-];
-const METHODS: [&str; 4] = ["epic", "factored", "disc", "cap"];
-const FORMATS: [(&str, f64, f64); 7] = [
-    ("f64", 3e-16, 1.3),
-    ("f32", 7e-8, 1.0),
-    ("micromath", 1e-7, 0.62),
-    ("f16", 3.9e-4, 6.5),
-    ("I2F14", 9e-5, 0.5),
-    ("I2F30", 2e-9, 0.9),
-    ("I16F16", 2.6e-5, 1.1),
-];
+/// Random pairs a contender is tried on, beside the hard ones.
+const PAIRS: usize = 150_000;
+
+/// The same with `--quick`.
+const QUICK_PAIRS: usize = 10_000;
+
+/// A method in a format under a light.
+type Contender = (Light, Method, Format);
 
 /// Names of the lights that can be asked for.
 pub fn light_names() -> Vec<String> {
-    LIGHTS.iter().map(|(name, _)| (*name).to_owned()).collect()
+    lights::STUDY.iter().map(|light| light.name.to_owned()).collect()
 }
 
-/// Measures what `options` asks for.
+/// Measures what `options` asks for: errors on all cores, then costs on a quiet machine.
 pub fn run(options: &Options, progress: &ProgressBar) -> Study {
-    let lights: Vec<_> = LIGHTS.iter().filter(|light| options.wants(light.0)).collect();
-    progress.set_length((lights.len() * METHODS.len() * FORMATS.len()) as u64);
-    let mut rows = Vec::new();
-    for light in lights {
-        for (method, name) in METHODS.iter().enumerate() {
-            for format in 0..FORMATS.len() {
-                progress.set_message(format!("{}, {name}", light.0));
-                rows.push(row(light, method, format));
-                progress.inc(1);
-            }
+    let lights: Vec<_> = lights::STUDY.into_iter().filter(|light| options.wants(light.name)).collect();
+    let contenders: Vec<Contender> = lights.iter().flat_map(|&light| of_light(light)).collect();
+    let rounds = clock::rounds(options.quick);
+    progress.set_length((contenders.len() + lights.len() * rounds + quantities::COUNT) as u64);
+    let mut rows = errors(&contenders, options, progress);
+    let quantities = quantities::measure(options, progress);
+    for (light, rows) in lights.iter().zip(rows.chunks_mut(Method::ALL.len() * Format::ALL.len())) {
+        progress.set_message(format!("timing, {}", light.name));
+        for (row, cost) in rows.iter_mut().zip(clock::costs(light, options, progress)) {
+            set_cost(row, cost);
         }
     }
-    Study {
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        seed: options.seed,
-        quick: options.quick,
-        rows,
-        quantities: quantities(),
+    Study { version: env!("CARGO_PKG_VERSION").to_owned(), seed: options.seed, quick: options.quick, rows, quantities }
+}
+
+/// All methods and formats in the order that [`clock::costs`] keeps too.
+fn of_light(light: Light) -> impl Iterator<Item = Contender> {
+    Method::ALL.into_iter().flat_map(move |method| Format::ALL.map(|format| (light, method, format)))
+}
+
+fn set_cost(row: &mut Row, cost: Cost) {
+    row.cost = cost.median;
+    row.cost_low = cost.lower_quartile;
+    row.cost_high = cost.upper_quartile;
+}
+
+/// Judges the contenders, each by whichever core is free next.
+fn errors(contenders: &[Contender], options: &Options, progress: &ProgressBar) -> Vec<Row> {
+    let next = AtomicUsize::new(0);
+    let rows = Mutex::new(vec![None; contenders.len()]);
+    let work = || {
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(&(light, method, format)) = contenders.get(index) else { break };
+            progress.set_message(format!("{}, {} in {}", light.name, method.name(), format.name()));
+            let row = format.visit(Judge { light, method, format, options });
+            rows.lock().unwrap_or_else(PoisonError::into_inner)[index] = Some(row);
+            progress.inc(1);
+        }
+    };
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| (0..cores).for_each(|_| drop(scope.spawn(work))));
+    rows.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
+}
+
+struct Judge<'a> {
+    light: Light,
+    method: Method,
+    format: Format,
+    options: &'a Options,
+}
+
+impl Visitor for Judge<'_> {
+    type Output = Row;
+
+    fn visit<T: Real>(self) -> Row {
+        let theta = self.light.light.angular_radius();
+        let count = if self.options.quick { QUICK_PAIRS } else { PAIRS };
+        let pairs = input::random(self.options.seed, count, theta).chain(input::hard(theta));
+        let judgement = judge::<T>(self.method, &self.light.light, pairs, self.format.step());
+        row(self.light, self.method, self.format, &judgement)
     }
 }
 
-fn row(&(light, ratio): &(&str, f64), method: usize, format: usize) -> Row {
-    let (name, base, pace) = FORMATS[format];
-    let theta = ratio.asin();
-    let cost = pace * [1.25, 1.0, 0.8, 1.1][method] * (1.0 + 0.03 * format as f64);
-    let (factor, failure) = outcome(method, name, theta);
-    let error = base * factor * (1.0 + 0.1 * ratio);
-    let model = if method < 2 { 0.4 * theta.powi(2) } else { 1e-17 };
+fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgement<T>) -> Row {
+    let failed = judgement.non_finite == judgement.samples;
+    let shown = |error: f64| if failed { f64::NAN } else { error };
+    let worst = &judgement.worst;
+    let [l, r] = [worst.l, worst.r].map(|v| v.map(T::to_f64));
     Row {
-        light: light.to_owned(),
-        ratio,
-        theta,
-        method: METHODS[method].to_owned(),
-        format: name.to_owned(),
-        cost,
-        cost_low: cost * 0.97,
-        cost_high: cost * 1.04,
-        error_max: error,
-        error_rms: error * 0.37,
-        model_max: model,
-        model_rms: model * 0.5,
-        total_max: error + model,
-        total_rms: (error + model) * 0.4,
-        samples: 2_000_000,
-        non_finite: if error.is_nan() { 2_000_000 } else { 0 },
-        failure,
-        worst_angle: theta * 1.3,
-        worst_l: "0x3f7f1234 00000000 bc8a11ff".to_owned(),
-        worst_r: "0x3f7f12aa 3a000000 3c8a11ff".to_owned(),
+        light: light.name.to_owned(),
+        ratio: light.light.sin(),
+        theta: light.light.angular_radius(),
+        method: method.name().to_owned(),
+        format: format.name().to_owned(),
+        cost: f64::NAN,
+        cost_low: f64::NAN,
+        cost_high: f64::NAN,
+        error_max: shown(worst.error),
+        error_rms: shown(judgement.mean_square.sqrt()),
+        model_max: shown(judgement.model_max),
+        model_rms: shown(judgement.model_mean_square.sqrt()),
+        total_max: shown(judgement.total_max),
+        total_rms: shown(judgement.total_mean_square.sqrt()),
+        samples: judgement.samples,
+        non_finite: judgement.non_finite,
+        failure: failure(judgement),
+        worst_angle: sunglint::oracle::angle_between(l, r),
+        worst_l: bits(format, l),
+        worst_r: bits(format, r),
         frontier: false,
         total_frontier: false,
     }
 }
 
-fn outcome(method: usize, format: &str, theta: f64) -> (f64, Option<String>) {
-    let fixed = format.starts_with('I');
-    match (METHODS[method], format) {
-        ("epic", "f16") => (f64::NAN, Some("NaN".to_owned())),
-        ("epic", "I2F14") => (1.1e4, Some("disc lost".to_owned())),
-        ("epic", "I16F16") => (3.3e4, Some("disc lost".to_owned())),
-        ("epic", _) if fixed => (4.7e8, Some("disc lost".to_owned())),
-        ("disc", "f16") if theta < 0.04 => (77.0, Some("disc lost".to_owned())),
-        ("epic", _) => (60.0, None),
-        ("disc", _) => (3.0, None),
-        ("factored", _) => (1.15, None),
-        _ => (1.0, None),
+fn failure<T>(judgement: &Judgement<T>) -> Option<String> {
+    if judgement.non_finite > 0 {
+        Some("NaN".to_owned())
+    } else if judgement.disc_lost >= DISC_LOST {
+        Some("disc lost".to_owned())
+    } else {
+        None
     }
 }
 
-fn quantities() -> Vec<QuantityRow> {
-    let names = ["size_factor", "sin_theta", "cos_theta", "solid_angle"];
-    let formats = [("f32", "ULP", 0.5), ("U16F48", "LSB", 0.9), ("f16", "ULP", 0.5)];
-    let each = |name: &str| {
-        let name = name.to_owned();
-        formats.map(|(format, unit, error)| QuantityRow {
-            quantity: name.clone(),
-            format: format.to_owned(),
-            unit: unit.to_owned(),
-            error_max: error,
-            worst_input: 0.0046,
-            samples: 100_000,
-            refused: if format == "f16" { 412 } else { 0 },
-        })
-    };
-    names.into_iter().flat_map(each).collect()
+/// The raw bits of the three lanes in hexadecimal.
+fn bits(format: Format, v: [f64; 3]) -> String {
+    let digits = format.width() / 4;
+    v.map(|lane| format!("{:0digits$x}", format.bits(lane))).join(" ")
 }

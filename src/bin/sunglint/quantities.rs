@@ -1,0 +1,80 @@
+//! The errors of the light quantities of one argument, in units of each format's last place.
+
+use fixed::types::I2F30;
+use indicatif::ProgressBar;
+use sunglint::Float;
+use sunglint::trial::Format;
+use sunglint::trial::quantity::Quantity;
+
+use crate::options::Options;
+use crate::result::QuantityRow;
+
+/// Steps of the progress bar: a quantity in three float formats and in fixed point.
+pub const COUNT: usize = Quantity::ALL.len() * 4;
+
+/// Ratios from 1e-6 to 1, evenly spread over their logarithms.
+fn ratios(options: &Options) -> impl Iterator<Item = f64> {
+    let count = if options.quick { 20_000 } else { 200_000 };
+    (0..=count).map(move |index| 10_f64.powf(-6.0 * f64::from(index) / f64::from(count)))
+}
+
+/// All quantities in all formats that judge against f64: f64 itself is held against 160 bits in the tests.
+pub fn measure(options: &Options, progress: &ProgressBar) -> Vec<QuantityRow> {
+    progress.set_message("light quantities");
+    Quantity::ALL.into_iter().flat_map(|quantity| rows(quantity, options, progress)).collect()
+}
+
+fn rows(quantity: Quantity, options: &Options, progress: &ProgressBar) -> [QuantityRow; 4] {
+    let done = |row| {
+        progress.inc(1);
+        row
+    };
+    [
+        done(in_float::<f32>(quantity, Format::F32, options)),
+        done(in_float::<micromath::F32>(quantity, Format::Micromath, options)),
+        done(in_float::<half::f16>(quantity, Format::F16, options)),
+        done(in_fixed(quantity, options)),
+    ]
+}
+
+fn in_float<T: Float>(quantity: Quantity, format: Format, options: &Options) -> QuantityRow {
+    let mut row = empty(quantity, format.name(), "ULP");
+    for ratio in ratios(options).map(T::nearest) {
+        let truth = quantity.truth(ratio.exact());
+        let error = quantity.in_float(ratio).map(|value| (value.exact() - truth).abs() / format.ulp(truth));
+        add(&mut row, ratio.exact(), error.ok());
+    }
+    row
+}
+
+fn in_fixed(quantity: Quantity, options: &Options) -> QuantityRow {
+    let mut row = empty(quantity, "", "LSB");
+    for ratio in ratios(options).map(I2F30::from_num) {
+        let value = ratio.to_num::<f64>();
+        let answer = quantity.in_fixed(ratio);
+        row.format = answer.map_or(row.format, |answer| answer.format.to_owned());
+        add(&mut row, value, answer.map(|answer| (answer.value - quantity.truth(value)).abs() / answer.lsb).ok());
+    }
+    row
+}
+
+fn empty(quantity: Quantity, format: &str, unit: &str) -> QuantityRow {
+    QuantityRow {
+        quantity: quantity.name().to_owned(),
+        format: format.to_owned(),
+        unit: unit.to_owned(),
+        error_max: 0.0,
+        worst_input: 0.0,
+        samples: 0,
+        refused: 0,
+    }
+}
+
+fn add(row: &mut QuantityRow, input: f64, error: Option<f64>) {
+    row.samples += 1;
+    match error {
+        None => row.refused += 1,
+        Some(error) if error > row.error_max => (row.error_max, row.worst_input) = (error, input),
+        Some(_) => {}
+    }
+}
