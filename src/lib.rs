@@ -9,6 +9,7 @@ pub mod light;
 pub mod normalization;
 #[cfg(feature = "oracle")]
 pub mod oracle;
+mod pair;
 #[cfg(feature = "fixed")]
 pub mod raw;
 pub mod real;
@@ -18,6 +19,7 @@ pub mod specular;
 pub mod sphere;
 #[cfg(feature = "oracle")]
 pub mod trial;
+mod vec3;
 
 pub use light::{DistantLight, LightError, SUN};
 pub use real::{Float, Real};

@@ -21,6 +21,7 @@
 use core::f64::consts::PI;
 
 use crate::light::{ASTRONOMICAL_UNIT_KM, DistantLight, LightError, SOLAR_RADIUS_KM};
+use crate::pair::Pair;
 use crate::real::Float;
 
 /// The Sun's radius over its distance from Earth, from the figures of [`SUN`](crate::SUN).
@@ -77,8 +78,7 @@ impl DistantLight {
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
 pub fn versine<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    // One factor first: the square alone is subnormal in f16 at the Sun.
-    Ok(ratio * (ratio / one_plus_cos(ratio)))
+    Ok(unscaled(scaled_versine(ratio)))
 }
 
 /// Solid angle `2 pi w` in steradians.
@@ -87,7 +87,7 @@ pub fn versine<T: Float>(ratio: T) -> Result<T, LightError> {
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
 pub fn solid_angle<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    Ok((T::nearest(2.0 * PI) * ratio) * (ratio / one_plus_cos(ratio)))
+    Ok(unscaled(scaled_versine(ratio).times(Pair::constant(2.0 * PI))))
 }
 
 /// UsdLux `sizeFactor` of a sphere, in steradians: 1 for `x = 0`, else `pi x^2`.
@@ -96,7 +96,10 @@ pub fn solid_angle<T: Float>(ratio: T) -> Result<T, LightError> {
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
 pub fn size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    if ratio == T::nearest(0.0) { Ok(T::nearest(1.0)) } else { Ok((T::nearest(PI) * ratio) * ratio) }
+    if ratio == T::nearest(0.0) {
+        return Ok(T::nearest(1.0));
+    }
+    Ok(unscaled(scaled_square(ratio).times(Pair::constant(PI))))
 }
 
 /// `1 / sizeFactor`: 1 for `x = 0`, else `1 / (pi x^2)`.
@@ -106,8 +109,10 @@ pub fn size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
 /// below `x = 2.2e-3`.
 pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    let one = T::nearest(1.0);
-    if ratio == T::nearest(0.0) { Ok(one) } else { bounded((T::nearest(1.0 / PI) / ratio) / ratio) }
+    if ratio == T::nearest(0.0) {
+        return Ok(T::nearest(1.0));
+    }
+    inverse(Pair::constant(1.0 / PI), ratio)
 }
 
 /// Radiance of a sphere that is normalised to give `intensity` as illuminance: `intensity / (pi x^2)`.
@@ -117,10 +122,14 @@ pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
 /// infinite; [`LightError::Overflow`] where the answer is infinite.
 pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    if !(intensity >= T::nearest(0.0) && intensity - intensity == T::nearest(0.0)) {
+    let zero = T::nearest(0.0);
+    if !(intensity >= zero && intensity - intensity == zero) {
         return Err(LightError::Intensity(intensity.exact()));
     }
-    if ratio == T::nearest(0.0) { Ok(intensity) } else { bounded(((intensity / T::nearest(PI)) / ratio) / ratio) }
+    if ratio == zero {
+        return Ok(intensity);
+    }
+    inverse(Pair { high: intensity, low: zero }.over(Pair::constant(PI)), ratio)
 }
 
 /// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white.
@@ -129,8 +138,11 @@ pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is infinite: for 0, and in
 /// f16 below 1/256.
 pub fn white_radiance<T: Float>(ratio: T) -> Result<T, LightError> {
-    let inverse = T::nearest(1.0) / checked(ratio)?;
-    bounded(inverse * inverse)
+    let ratio = checked(ratio)?;
+    if ratio == T::nearest(0.0) {
+        return Err(LightError::Overflow(T::FORMAT));
+    }
+    inverse(Pair::constant(1.0), ratio)
 }
 
 /// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit: `distance` times 695 700 / 149 597 870.7.
@@ -145,19 +157,39 @@ pub fn sun_radius_at<T: Float>(distance: T) -> Result<T, LightError> {
     Ok(distance * T::nearest(SUN_RATIO))
 }
 
-fn one_plus_cos<T: Float>(ratio: T) -> T {
-    let one = T::nearest(1.0);
-    one + ((one - ratio) * (one + ratio)).root()
+/// `x^2` times [`Float::SCALE`] squared, so that it is not subnormal in f16 at the Sun.
+fn scaled_square<T: Float>(ratio: T) -> Pair<T> {
+    let scaled = ratio * T::nearest(T::SCALE);
+    Pair::product(scaled, scaled)
+}
+
+/// `w` times the same.
+fn scaled_versine<T: Float>(ratio: T) -> Pair<T> {
+    let cos = cosine(ratio);
+    let one_plus_cos = Pair::sum(T::nearest(1.0), cos.high);
+    scaled_square(ratio).over(Pair { high: one_plus_cos.high, low: one_plus_cos.low + cos.low })
+}
+
+/// `sqrt((1 - x)(1 + x))`.
+pub(crate) fn cosine<T: Float>(ratio: T) -> Pair<T> {
+    let [zero, one] = [0.0, 1.0].map(T::nearest);
+    Pair::sum(one, zero - ratio).times(Pair::sum(one, ratio)).root()
+}
+
+fn unscaled<T: Float>(value: Pair<T>) -> T {
+    value.rounded() / T::nearest(T::SCALE * T::SCALE)
+}
+
+/// `dividend / x^2`.
+fn inverse<T: Float>(dividend: Pair<T>, ratio: T) -> Result<T, LightError> {
+    let quotient = dividend.over(scaled_square(ratio)).rounded() * T::nearest(T::SCALE * T::SCALE);
+    // Infinity and NaN are the two whose difference with themselves is not zero.
+    if quotient - quotient == T::nearest(0.0) { Ok(quotient) } else { Err(LightError::Overflow(T::FORMAT)) }
 }
 
 fn checked<T: Float>(ratio: T) -> Result<T, LightError> {
     let allowed = ratio >= T::nearest(0.0) && ratio <= T::nearest(1.0);
     if allowed { Ok(ratio) } else { Err(LightError::Ratio(ratio.exact())) }
-}
-
-fn bounded<T: Float>(value: T) -> Result<T, LightError> {
-    // Infinity and NaN are the two whose difference with themselves is not zero.
-    if value - value == T::nearest(0.0) { Ok(value) } else { Err(LightError::Overflow(T::FORMAT)) }
 }
 
 #[cfg(feature = "fixed")]

@@ -7,61 +7,62 @@ use fixed::types::{I2F14, I2F30};
 
 use crate::specular;
 use crate::sphere::DistantSphere;
+use crate::vec3::each;
 
 /// [`cap`](specular::cap) in Q14. Worst error at the Sun 1.0e-4 rad.
 pub fn cap_q14(l: [i16; 3], r: [i16; 3], light: &DistantSphere<I2F14>) -> [i16; 3] {
-    specular::cap(q14(l), q14(r), light).map(I2F14::to_bits)
+    each(specular::cap(q14(l), q14(r), light), I2F14::to_bits)
 }
 
 /// [`factored`](specular::factored) in Q14.
 pub fn factored_q14(l: [i16; 3], r: [i16; 3], light: &DistantSphere<I2F14>) -> [i16; 3] {
-    specular::factored(q14(l), q14(r), light).map(I2F14::to_bits)
+    each(specular::factored(q14(l), q14(r), light), I2F14::to_bits)
 }
 
 /// [`disc`](specular::disc) in Q14, for studies.
 pub fn disc_q14(l: [i16; 3], r: [i16; 3], light: &DistantSphere<I2F14>) -> [i16; 3] {
-    specular::disc(q14(l), q14(r), light).map(I2F14::to_bits)
+    each(specular::disc(q14(l), q14(r), light), I2F14::to_bits)
 }
 
 /// [`reflect`](specular::reflect) in Q14.
 pub fn reflect_q14(n: [i16; 3], v: [i16; 3]) -> [i16; 3] {
-    specular::reflect(q14(n), q14(v)).map(I2F14::to_bits)
+    each(specular::reflect(q14(n), q14(v)), I2F14::to_bits)
 }
 
 /// [`normalize`](specular::normalize) in Q14.
 pub fn normalize_q14(v: [i16; 3]) -> [i16; 3] {
-    specular::normalize(q14(v)).map(I2F14::to_bits)
+    each(specular::normalize(q14(v)), I2F14::to_bits)
 }
 
 /// [`cap`](specular::cap) in Q30. Worst error at the Sun 2.1e-9 rad.
 pub fn cap_q30(l: [i32; 3], r: [i32; 3], light: &DistantSphere<I2F30>) -> [i32; 3] {
-    specular::cap(q30(l), q30(r), light).map(I2F30::to_bits)
+    each(specular::cap(q30(l), q30(r), light), I2F30::to_bits)
 }
 
 /// [`factored`](specular::factored) in Q30.
 pub fn factored_q30(l: [i32; 3], r: [i32; 3], light: &DistantSphere<I2F30>) -> [i32; 3] {
-    specular::factored(q30(l), q30(r), light).map(I2F30::to_bits)
+    each(specular::factored(q30(l), q30(r), light), I2F30::to_bits)
 }
 
 /// [`disc`](specular::disc) in Q30, for studies.
 pub fn disc_q30(l: [i32; 3], r: [i32; 3], light: &DistantSphere<I2F30>) -> [i32; 3] {
-    specular::disc(q30(l), q30(r), light).map(I2F30::to_bits)
+    each(specular::disc(q30(l), q30(r), light), I2F30::to_bits)
 }
 
 /// [`reflect`](specular::reflect) in Q30.
 pub fn reflect_q30(n: [i32; 3], v: [i32; 3]) -> [i32; 3] {
-    specular::reflect(q30(n), q30(v)).map(I2F30::to_bits)
+    each(specular::reflect(q30(n), q30(v)), I2F30::to_bits)
 }
 
 /// [`normalize`](specular::normalize) in Q30.
 pub fn normalize_q30(v: [i32; 3]) -> [i32; 3] {
-    specular::normalize(q30(v)).map(I2F30::to_bits)
+    each(specular::normalize(q30(v)), I2F30::to_bits)
 }
 
 fn q14(v: [i16; 3]) -> [I2F14; 3] {
-    v.map(I2F14::from_bits)
+    each(v, I2F14::from_bits)
 }
 
 fn q30(v: [i32; 3]) -> [I2F30; 3] {
-    v.map(I2F30::from_bits)
+    each(v, I2F30::from_bits)
 }

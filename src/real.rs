@@ -34,6 +34,19 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// Name of the format, as tables and charts print it.
     const NAME: &'static str;
 
+    /// 0, for lanes.
+    const ZERO: Self;
+
+    /// 0, for scalars.
+    const WIDE_ZERO: Self::Wide;
+
+    /// 1, for scalars.
+    const WIDE_ONE: Self::Wide;
+
+    /// Cosine of the angular radius below which a disc's edge is told by its cosine, not by the square of its sine, which is the
+    /// worse conditioned of the two there: about 0.714, that of a ratio of 0.7.
+    const COSINE_OF_WIDE: Self::Wide;
+
     /// The nearest value of the format; a value out of range gives the nearest end (infinity for floats).
     fn from_f64(value: f64) -> Self;
 

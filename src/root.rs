@@ -12,18 +12,22 @@ const LINES: [(u16, u16); CELLS] = lines();
 ///
 /// Within 0.58 of the last place of the exact value for the middle of the interval that `m` stands for, so that
 /// a caller may cut a longer mantissa to its top 32 bits. `m = 2^30` gives `2^32 - 1`.
-pub(crate) const fn reciprocal_root(m: u32) -> u32 {
-    let (start, fall) = LINES[((m >> 26) as usize).saturating_sub(16) % CELLS];
+#[inline]
+pub(crate) fn reciprocal_root(m: u32) -> u32 {
+    // Below 2^30, which no caller gives, any line will do.
+    let (start, fall) = LINES.get((m >> 26).wrapping_sub(16) as usize).copied().unwrap_or_default();
     // 16 bits, so that the square is exact in 32.
-    let seed = start as u32 - ((fall as u32 * ((m >> 10) & 0xffff)) >> 16);
-    let square = (seed * seed) as u64;
+    let seed = u32::from(start).wrapping_sub((u32::from(fall) * ((m >> 10) & 0xffff)) >> 16) & 0xffff;
+    let square = u64::from(seed * seed);
     // y seed^2 in Q62, y being m and a half.
-    let product = m as u64 * square + square / 2;
+    let product = u64::from(m) * square + square / 2;
     // The residual is under 2^-11, hence in Q42 a number of 31 bits.
-    let residual = ((1_i64 << 62) - product as i64) >> 20;
-    let correction = residual / 2 + ((3 * ((residual * residual) >> 42)) >> 3);
-    let root = ((seed as i64) << 16) + ((seed as i64 * correction + (1 << 25)) >> 26);
-    if root > u32::MAX as i64 { u32::MAX } else { root as u32 }
+    let residual = ((1_i64 << 62).wrapping_sub(product as i64)) >> 20;
+    let square = residual.wrapping_mul(residual) >> 42;
+    let correction = (residual / 2).wrapping_add(square.wrapping_mul(3) >> 3);
+    let fine = i64::from(seed).wrapping_mul(correction).wrapping_add(1 << 25) >> 26;
+    let root = (i64::from(seed) << 16).wrapping_add(fine);
+    u32::try_from(root).unwrap_or(u32::MAX)
 }
 
 const fn lines() -> [(u16, u16); CELLS] {

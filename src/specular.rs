@@ -10,23 +10,23 @@
 
 use crate::real::Real;
 use crate::sphere::{DistantSphere, UnfactoredSphere};
+use crate::vec3::zip;
 
 /// Seed formula with its lengths: `C = (L.r) r - L`, `P = L + C sat(R / |C|)`, for `L` of the light's distance (Karis, 2013).
 ///
 /// For studies. A distance in kilometres overflows f16, whose answer is then NaN, and every fixed-point format, whose
 /// answer is then finite and meaningless. See [`factored`] for what it computes where it works.
 pub fn epic<T: Real>(l: [T; 3], r: [T; 3], light: &UnfactoredSphere<T>) -> [T; 3] {
-    let [zero, one] = [0.0, 1.0].map(T::wide);
-    let to_light = T::diff(light.distance, l, zero, l);
-    let c = T::diff(T::dot(to_light, r), r, one, to_light);
+    let to_light = T::diff(light.distance, l, T::WIDE_ZERO, l);
+    let c = T::diff(T::dot(to_light, r), r, T::WIDE_ONE, to_light);
     let square = T::square(c);
     let p = if T::within(square, 0, light.radius_square) {
-        add(to_light, c)
+        zip(to_light, c, T::add)
     } else {
-        T::rim(to_light, zero, c, square, light.radius)
+        T::rim(to_light, T::WIDE_ZERO, c, square, light.radius)
     };
     // Left as it is, a NaN shows that the method failed.
-    if p.into_iter().all(|lane| lane == lane) { T::normalize(p) } else { p }
+    if p[0] == p[0] && p[1] == p[1] && p[2] == p[2] { T::normalize(p) } else { p }
 }
 
 /// Epic's point with the distance divided out: `D = (l.r) r - l`, `P = l + D sat(x / |D|)`, normalised.
@@ -36,11 +36,10 @@ pub fn epic<T: Real>(l: [T; 3], r: [T; 3], light: &UnfactoredSphere<T>) -> [T; 3
 /// `r`: the sign of `reflect` does not matter. Where `P` is zero (`x = 1`, `l` perpendicular to `r`) the answer is zero.
 /// Meant for lights that subtend up to 180 degrees, as spheres do.
 pub fn factored<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
-    let [zero, one] = [0.0, 1.0].map(T::wide);
-    let d = T::diff(T::dot(l, r), r, one, l);
+    let d = T::diff(T::dot(l, r), r, T::WIDE_ONE, l);
     let square = T::square(d);
     let saturated = T::within(square, 0, light.sin_square);
-    let p = if saturated { add(l, d) } else { T::rim(l, zero, d, square, light.sin) };
+    let p = if saturated { zip(l, d, T::add) } else { T::rim(l, T::WIDE_ZERO, d, square, light.sin) };
     T::normalize(p)
 }
 
@@ -54,7 +53,7 @@ pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     if l_dot_r >= light.cos {
         return r;
     }
-    let outward = T::normalize(T::diff(l_dot_r, l, T::wide(1.0), r));
+    let outward = T::normalize(T::diff(l_dot_r, l, T::WIDE_ONE, r));
     T::normalize(T::diff(light.cos, l, light.sin, outward))
 }
 
@@ -71,36 +70,32 @@ pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
 /// Worst error at the Sun, all angles, against exact arithmetic on the same inputs: f64 5e-16 rad, f32 8e-8, micromath 1e-7,
 /// f16 4.5e-4, I2F14 1.0e-4, I2F30 2.1e-9, I16F16 2.8e-5 (budgets that `tests/specular.rs` asserts).
 pub fn cap<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
-    let zero = T::wide(0.0);
     let l_dot_r = T::dot(l, r);
-    let toward = l_dot_r >= zero;
+    let toward = l_dot_r >= T::WIDE_ZERO;
     let (s, exponent) = if toward {
-        tangent([0, 1, 2].map(|i| T::sub(r[i], l[i])), l)
+        tangent(zip(r, l, T::sub), l)
     } else {
         // Beside -l the tangent is so short that what the first step leaves along l counts.
-        let (s, _) = tangent(add(r, l), l);
+        let (s, _) = tangent(zip(r, l, T::add), l);
         tangent(s, l)
     };
     let square = T::square(s);
     // False for NaN, of which square is one wherever an input was not finite.
-    if !(square > zero) {
-        let parallel = square >= zero && (toward || l_dot_r >= light.cos);
+    if !(square > T::WIDE_ZERO) {
+        let parallel = square >= T::WIDE_ZERO && (toward || l_dot_r >= light.cos);
         return if parallel { r } else { finite(l) };
     }
-    let wide = light.cos < T::wide(COSINE_OF_WIDE);
+    let wide = light.cos < T::COSINE_OF_WIDE;
     let inside = if wide { l_dot_r >= light.cos } else { toward && T::within(square, exponent, light.sin_square) };
     if inside { r } else { T::rim(l, light.versine, s, square, light.sin) }
 }
-
-/// Below this cosine the cosine tells the disc's edge better than the square of the sine: above a ratio of 0.7.
-const COSINE_OF_WIDE: f64 = 0.714;
 
 /// The mirror direction `r = 2 (n.v) n - v` of the unit direction `v` from the surface to the camera, about the unit normal `n`.
 ///
 /// Shading languages' `reflect(i, n)` takes the direction *to* the surface: `reflect(-v, n)` there is this; `reflect(v, n)` there is
 /// its negative.
 pub fn reflect<T: Real>(n: [T; 3], v: [T; 3]) -> [T; 3] {
-    T::diff(T::twice(T::dot(n, v)), n, T::wide(1.0), v)
+    T::diff(T::twice(T::dot(n, v)), n, T::WIDE_ONE, v)
 }
 
 /// `v` at unit length. A zero vector, and one with a NaN or an infinity, gives zero.
@@ -111,16 +106,13 @@ pub fn normalize<T: Real>(v: [T; 3]) -> [T; 3] {
 /// `e` less its part along `l`, magnified by two to the power given beside it.
 fn tangent<T: Real>(e: [T; 3], l: [T; 3]) -> ([T; 3], u32) {
     let (e, exponent) = T::magnify(e);
-    (T::diff(T::wide(1.0), e, T::dot(e, l), l), exponent)
+    (T::diff(T::WIDE_ONE, e, T::dot(e, l), l), exponent)
 }
 
-fn add<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
-    [0, 1, 2].map(|i| T::add(a[i], b[i]))
-}
-
-/// `l`, or zero where it is not finite.
+/// `l`, or zero where it is not finite or longer than 2.
 #[cold]
 fn finite<T: Real>(l: [T; 3]) -> [T; 3] {
-    let zero = T::wide(0.0);
-    if T::dot(l, l) >= zero && T::dot(l, l) <= T::wide(4.0) { l } else { [T::from_f64(0.0); 3] }
+    let square = T::dot(l, l);
+    let short = square >= T::WIDE_ZERO && square <= T::twice(T::twice(T::WIDE_ONE));
+    if short { l } else { [T::ZERO; 3] }
 }

@@ -1,6 +1,7 @@
 //! The constants of a light in one number format, computed once and outside the pixel.
 
 use crate::light::{DistantLight, LightError};
+use crate::normalization;
 use crate::real::{Float, Real};
 
 /// What the direction methods need of a light, rounded into the format `T`.
@@ -59,18 +60,14 @@ impl<T: Real> DistantSphere<T> {
 
 impl<T: Float> DistantSphere<T> {
     /// The constants of a sphere whose radius over distance is `ratio`, computed in the format itself, for a light that
-    /// moves on a chip without f64. Within 2 units in the last place (4 for `micromath::F32`).
+    /// moves on a chip without f64. Within 1 unit in the last place.
     ///
     /// # Errors
     /// [`LightError::Ratio`] for NaN, negative values and values above 1.
     pub fn from_ratio(ratio: T) -> Result<Self, LightError> {
-        let [zero, one, scale] = [0.0, 1.0, T::SCALE].map(T::nearest);
-        if !(ratio >= zero && ratio <= one) {
-            return Err(LightError::Ratio(ratio.exact()));
-        }
-        let cos = ((one - ratio) * (one + ratio)).root();
-        let versine = ratio * (ratio / (one + cos));
-        let scaled = ratio * scale;
+        let versine = normalization::versine(ratio)?;
+        let scaled = ratio * T::nearest(T::SCALE);
+        let cos = normalization::cosine(ratio).rounded();
         Ok(Self { sin: ratio, sin_square: scaled * scaled, cos, versine })
     }
 }

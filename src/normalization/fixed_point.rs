@@ -38,7 +38,7 @@ impl Q60 {
 
 /// `bits / 2^shift`, to nearest.
 fn round(bits: u128, shift: u32) -> u64 {
-    ((bits + (1 << (shift - 1))) >> shift) as u64
+    (bits.wrapping_add(1 << (shift - 1)) >> shift) as u64
 }
 
 /// `dividend / divisor`, to nearest; 0 for a divisor of 0.

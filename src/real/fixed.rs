@@ -9,6 +9,7 @@ use fixed::types::{I2F14, I2F30, I16F16};
 use super::Real;
 use crate::constant;
 use crate::root::reciprocal_root;
+use crate::vec3::{each, zip};
 
 type Lanes = [i32; 3];
 
@@ -19,61 +20,73 @@ trait Lane: Copy {
 }
 
 /// `acc / 2^shift`, to nearest, halves upwards.
+#[inline]
 const fn round_shift(acc: i64, shift: u32) -> i64 {
-    (acc >> shift) + ((acc >> (shift - 1)) & 1)
+    (acc >> shift).wrapping_add((acc >> (shift - 1)) & 1)
 }
 
+#[inline]
 fn dot(a: Lanes, b: Lanes) -> i64 {
-    let product = |i: usize| i64::from(a[i]) * i64::from(b[i]);
-    product(0).wrapping_add(product(1)).wrapping_add(product(2))
+    let [x, y, z] = zip(a, b, |a, b| i64::from(a).wrapping_mul(i64::from(b)));
+    x.wrapping_add(y).wrapping_add(z)
 }
 
 /// A wide scalar of `2 F` fraction bits in Q31.
+#[inline]
 const fn q31<const F: u32>(scalar: i64) -> i64 {
     if 2 * F > 31 { round_shift(scalar, 2 * F - 31) } else { scalar << (31 - 2 * F) }
 }
 
 /// `a x - b y` with `a`, `b` wide: products in Q(31 + F), rounded to QF once.
+#[inline]
 fn diff<const F: u32>(a: i64, x: Lanes, b: i64, y: Lanes) -> Lanes {
-    let [a, b] = [a, b].map(q31::<F>);
-    let product = |scalar: i64, lane: i32| scalar.wrapping_mul(i64::from(lane));
-    [0, 1, 2].map(|i| saturate(round_shift(product(a, x[i]).wrapping_sub(product(b, y[i])), 31)))
+    let (a, b) = (q31::<F>(a), q31::<F>(b));
+    zip(x, y, |x, y| saturate(round_shift(product(a, x).wrapping_sub(product(b, y)), 31)))
 }
 
+#[inline]
+fn product(scalar: i64, lane: i32) -> i64 {
+    scalar.wrapping_mul(i64::from(lane))
+}
+
+#[inline]
 fn saturate(lane: i64) -> i32 {
     lane.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
 }
 
 /// Shifts the largest lane into [1/2, 1) where it is smaller.
+#[inline]
 fn magnify<const F: u32>(v: Lanes) -> (Lanes, u32) {
     let size = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
     let shift = (size | 1).leading_zeros().saturating_sub(32 - F);
-    (v.map(|lane| lane << shift), shift)
+    (each(v, |lane| lane << shift), shift)
 }
 
 /// `1 / sqrt(square)` as a Q31 mantissa in [1, 2) and the half exponent `h`: `mantissa 2^(h - 63)` in units of lanes.
+#[inline]
 fn unit(square: u64) -> (u64, u32) {
     let even = square.leading_zeros() & !1;
     (u64::from(reciprocal_root(((square << even) >> 32) as u32)), even / 2)
 }
 
 /// `l - versine l + s length / |s|`: the factor of `s` in Q32, sums in Q(32 + F), rounded to QF once.
+#[inline]
 fn rim<const F: u32>(l: Lanes, versine: i64, s: Lanes, square: u64, length: i64) -> Lanes {
     let (mantissa, half) = unit(square | 1);
     // A Q31 length times a Q31 mantissa, less the 63 - F bits that turn lanes into units, but for the bit that Q32 has more.
     let k = (q31::<F>(length) as u64).wrapping_mul(mantissa) >> (62 - F - half);
-    let remain = (1 << 32) - 2 * q31::<F>(versine);
-    let product = |scalar: i64, lane: i32| scalar.wrapping_mul(i64::from(lane));
-    [0, 1, 2].map(|i| saturate(round_shift(product(remain, l[i]).wrapping_add(product(k as i64, s[i])), 32)))
+    let remain = (1_i64 << 32).wrapping_sub(q31::<F>(versine).wrapping_mul(2));
+    zip(l, s, |l, s| saturate(round_shift(product(remain, l).wrapping_add(product(k as i64, s)), 32)))
 }
 
+#[inline]
 fn normalize<const F: u32>(v: Lanes) -> Lanes {
     let square = dot(v, v) as u64;
     if square == 0 {
         return [0; 3];
     }
     let (mantissa, half) = unit(square);
-    v.map(|lane| saturate(round_shift(i64::from(lane) * mantissa as i64, 63 - F - half)))
+    each(v, |lane| saturate(round_shift(product(mantissa as i64, lane), 63 - F - half)))
 }
 
 /// A wide constant in `fraction` fraction bits.
@@ -114,6 +127,14 @@ macro_rules! fixed_point {
 
             const NAME: &'static str = $name;
 
+            const ZERO: Self = <$format>::ZERO;
+
+            const WIDE_ZERO: $wide = 0;
+
+            const WIDE_ONE: $wide = 1 << (2 * $fraction);
+
+            const COSINE_OF_WIDE: $wide = $constant(0.714);
+
             fn from_f64(value: f64) -> Self {
                 let bits = constant::to_fixed(value, $fraction);
                 Self::from_bits(bits.clamp(<$lane>::MIN.into(), <$lane>::MAX.into()) as $lane)
@@ -139,7 +160,7 @@ macro_rules! fixed_point {
 
             #[inline]
             fn dot(a: [Self; 3], b: [Self; 3]) -> $wide {
-                dot(a.map(Lane::bits), b.map(Lane::bits)) as $wide
+                dot(each(a, Lane::bits), each(b, Lane::bits)) as $wide
             }
 
             #[inline]
@@ -149,13 +170,13 @@ macro_rules! fixed_point {
 
             #[inline]
             fn diff(a: $wide, x: [Self; 3], b: $wide, y: [Self; 3]) -> [Self; 3] {
-                diff::<$fraction>(a.into(), x.map(Lane::bits), b.into(), y.map(Lane::bits)).map(Lane::clamped)
+                each(diff::<$fraction>(a.into(), each(x, Lane::bits), b.into(), each(y, Lane::bits)), Lane::clamped)
             }
 
             #[inline]
             fn magnify(v: [Self; 3]) -> ([Self; 3], u32) {
-                let (v, exponent) = magnify::<$fraction>(v.map(Lane::bits));
-                (v.map(Lane::clamped), exponent)
+                let (v, exponent) = magnify::<$fraction>(each(v, Lane::bits));
+                (each(v, Lane::clamped), exponent)
             }
 
             #[inline]
@@ -165,19 +186,19 @@ macro_rules! fixed_point {
 
             #[inline]
             fn within(square: $wide, exponent: u32, limit: $wide) -> bool {
-                (square as $unsigned) >> (2 * exponent) <= limit as $unsigned
+                (square as $unsigned).wrapping_shr(exponent << 1) <= limit as $unsigned
             }
 
             #[inline]
             fn rim(l: [Self; 3], versine: $wide, s: [Self; 3], square: $wide, length: $wide) -> [Self; 3] {
                 let square = u64::from(square as $unsigned);
-                rim::<$fraction>(l.map(Lane::bits), versine.into(), s.map(Lane::bits), square, length.into())
-                    .map(Lane::clamped)
+                let (l, s) = (each(l, Lane::bits), each(s, Lane::bits));
+                each(rim::<$fraction>(l, versine.into(), s, square, length.into()), Lane::clamped)
             }
 
             #[inline]
             fn normalize(v: [Self; 3]) -> [Self; 3] {
-                normalize::<$fraction>(v.map(Lane::bits)).map(Lane::clamped)
+                each(normalize::<$fraction>(each(v, Lane::bits)), Lane::clamped)
             }
         }
 

@@ -4,6 +4,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
 use super::Real;
+use crate::vec3::{each, zip};
 
 /// A floating-point format: ordinary arithmetic, rounded at every step, and a reciprocal root.
 ///
@@ -14,12 +15,24 @@ pub trait Float:
     /// Name of the format.
     const FORMAT: &'static str;
 
+    /// 0.
+    const ZERO: Self;
+
+    /// 1.
+    const ONE: Self;
+
+    /// 0.714, about; see [`Real::COSINE_OF_WIDE`].
+    const COSINE_OF_WIDE: Self;
+
     /// A power of two by which lengths are scaled before they are squared, so that the square of a light's radius
     /// stays a normal number. 1 where the format's exponent is wide enough.
     const SCALE: f64 = 1.0;
 
     /// Squared lengths that have lost nothing to overflow or underflow: [`Real::normalize`] rescales beyond them.
     const SAFE_SQUARE: [f64; 2] = [1e-30, 1e30];
+
+    /// `2^s + 1`, `s` being half of the significand's digits, rounded up: cuts a number into two halves (Veltkamp).
+    const SPLITTER: f64;
 
     /// The nearest value of the format.
     fn nearest(value: f64) -> Self;
@@ -37,18 +50,30 @@ pub trait Float:
 impl Float for f64 {
     const FORMAT: &'static str = "f64";
 
+    const ZERO: Self = 0.0;
+
+    const ONE: Self = 1.0;
+
+    const COSINE_OF_WIDE: Self = 0.714;
+
+    const SPLITTER: f64 = 134_217_729.0;
+
+    #[inline]
     fn nearest(value: f64) -> Self {
         value
     }
 
+    #[inline]
     fn exact(self) -> f64 {
         self
     }
 
+    #[inline]
     fn over_root(length: Self, square: Self) -> Self {
         length / libm::sqrt(square)
     }
 
+    #[inline]
     fn root(self) -> Self {
         libm::sqrt(self)
     }
@@ -57,18 +82,30 @@ impl Float for f64 {
 impl Float for f32 {
     const FORMAT: &'static str = "f32";
 
+    const ZERO: Self = 0.0;
+
+    const ONE: Self = 1.0;
+
+    const COSINE_OF_WIDE: Self = 0.714;
+
+    const SPLITTER: f64 = 4097.0;
+
+    #[inline]
     fn nearest(value: f64) -> Self {
         value as f32
     }
 
+    #[inline]
     fn exact(self) -> f64 {
         f64::from(self)
     }
 
+    #[inline]
     fn over_root(length: Self, square: Self) -> Self {
         length / libm::sqrtf(square)
     }
 
+    #[inline]
     fn root(self) -> Self {
         libm::sqrtf(self)
     }
@@ -80,6 +117,14 @@ impl<T: Float> Real for T {
     const NAME: &'static str = T::FORMAT;
 
     const SQUARE_SCALE: f64 = T::SCALE;
+
+    const ZERO: Self = <T as Float>::ZERO;
+
+    const WIDE_ZERO: T = <T as Float>::ZERO;
+
+    const WIDE_ONE: T = T::ONE;
+
+    const COSINE_OF_WIDE: T = <T as Float>::COSINE_OF_WIDE;
 
     #[inline]
     fn from_f64(value: f64) -> Self {
@@ -118,12 +163,12 @@ impl<T: Float> Real for T {
 
     #[inline]
     fn diff(a: T, x: [Self; 3], b: T, y: [Self; 3]) -> [Self; 3] {
-        [0, 1, 2].map(|i| a * x[i] - b * y[i])
+        zip(x, y, |x, y| a * x - b * y)
     }
 
     #[inline]
     fn square(v: [Self; 3]) -> T {
-        let scaled = v.map(|lane| lane * T::nearest(T::SCALE));
+        let scaled = each(v, |lane| lane * T::nearest(T::SCALE));
         Self::dot(scaled, scaled)
     }
 
@@ -140,34 +185,34 @@ impl<T: Float> Real for T {
         let square = if small { Self::square(s) } else { square };
         let k = T::over_root(length * T::nearest(T::SCALE), square);
         // The small difference comes first, so that only the last sum rounds at the size of l.
-        [0, 1, 2].map(|i| l[i] + (k * s[i] - versine * l[i]))
+        zip(l, s, |l, s| l + (k * s - versine * l))
     }
 
+    #[inline]
     fn normalize(v: [Self; 3]) -> [Self; 3] {
-        let zero = T::nearest(0.0);
         let square = Self::dot(v, v);
         let [least, most] = T::SAFE_SQUARE.map(T::nearest);
         let safe = square >= least && square <= most;
         let (v, square) = if safe { (v, square) } else { rescale(v) };
-        if !(square > zero) {
-            return [zero; 3];
+        if !(square > T::WIDE_ZERO) {
+            return [T::WIDE_ZERO; 3];
         }
-        let k = T::over_root(T::nearest(1.0), square);
-        v.map(|lane| lane * k)
+        let k = T::over_root(T::ONE, square);
+        each(v, |lane| lane * k)
     }
 }
 
 /// `v` over its largest lane, and the square of that; zero where there is no such thing.
 #[cold]
 fn rescale<T: Float>(v: [T; 3]) -> ([T; 3], T) {
-    let zero = T::nearest(0.0);
+    let zero = T::WIDE_ZERO;
     let largest = v.into_iter().fold(zero, |most, lane| {
         let size = if lane < zero { zero - lane } else { lane };
         // Written so that a NaN lane wins.
         if size <= most { most } else { size }
     });
     let usable = largest > zero && largest - largest == zero;
-    let v = if usable { v.map(|lane| lane / largest) } else { [zero; 3] };
+    let v = if usable { each(v, |lane| lane / largest) } else { [zero; 3] };
     let square = T::dot(v, v);
     if square >= zero { (v, square) } else { ([zero; 3], zero) }
 }

@@ -7,23 +7,35 @@ use super::Float;
 impl Float for f16 {
     const FORMAT: &'static str = "f16";
 
+    const ZERO: Self = f16::from_f32_const(0.0);
+
+    const ONE: Self = f16::from_f32_const(1.0);
+
+    const COSINE_OF_WIDE: Self = f16::from_f32_const(0.714);
+
+    const SPLITTER: f64 = 65.0;
+
     // The Sun's x^2 = 2.2e-5 is below f16's smallest normal number, which hardware may flush to zero; (64 x)^2 is not.
     const SCALE: f64 = 64.0;
 
     const SAFE_SQUARE: [f64; 2] = [0.0625, 1024.0];
 
+    #[inline]
     fn nearest(value: f64) -> Self {
         nearest(value)
     }
 
+    #[inline]
     fn exact(self) -> f64 {
         f64::from(self)
     }
 
+    #[inline]
     fn over_root(length: Self, square: Self) -> Self {
         length / square.root()
     }
 
+    #[inline]
     fn root(self) -> Self {
         f16::from_f32(libm::sqrtf(f32::from(self)))
     }
@@ -32,6 +44,7 @@ impl Float for f16 {
 /// The nearest f16, ties to even.
 ///
 /// `f16::from_f64` rounds twice on hardware that has only f32 conversions, and its fallback drops low bits.
+#[inline]
 pub(crate) const fn nearest(value: f64) -> f16 {
     // Adding 1.5 * 2^28 leaves 2^-24 as the last bit, which is the step of f16's subnormals.
     const SUBNORMAL: f64 = 402_653_184.0;

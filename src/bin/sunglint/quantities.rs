@@ -72,6 +72,8 @@ fn empty(quantity: Quantity, format: &str, unit: &str) -> QuantityRow {
 
 fn add(row: &mut QuantityRow, input: f64, error: Option<f64>) {
     row.samples += 1;
+    // An answer that is not a number is as wrong as can be.
+    let error = error.map(|error| if error.is_nan() { f64::INFINITY } else { error });
     match error {
         None => row.refused += 1,
         Some(error) if error > row.error_max => (row.error_max, row.worst_input) = (error, input),
