@@ -43,9 +43,12 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// 1, for scalars.
     const WIDE_ONE: Self::Wide;
 
-    /// Cosine of the angular radius below which a disc's edge is told by its cosine, not by the square of its sine, which is the
-    /// worse conditioned of the two there: about 0.714, that of a ratio of 0.7.
-    const COSINE_OF_WIDE: Self::Wide;
+    /// The greatest finite scalar.
+    const WIDE_MAX: Self::Wide;
+
+    /// Between these two cosines of the angular radius, about -0.714 and 0.714, a disc's rim is told by its cosine; beyond them
+    /// the sine is the better conditioned.
+    const STEEP: [Self::Wide; 2];
 
     /// The nearest value of the format; a value out of range gives the nearest end (infinity for floats).
     fn from_f64(value: f64) -> Self;

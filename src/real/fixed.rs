@@ -133,7 +133,9 @@ macro_rules! fixed_point {
 
             const WIDE_ONE: $wide = 1 << (2 * $fraction);
 
-            const COSINE_OF_WIDE: $wide = $constant(0.714);
+            const WIDE_MAX: $wide = <$wide>::MAX;
+
+            const STEEP: [$wide; 2] = [$constant(-0.714), $constant(0.714)];
 
             fn from_f64(value: f64) -> Self {
                 let bits = constant::to_fixed(value, $fraction);
@@ -186,7 +188,7 @@ macro_rules! fixed_point {
 
             #[inline]
             fn within(square: $wide, exponent: u32, limit: $wide) -> bool {
-                (square as $unsigned).wrapping_shr(exponent << 1) <= limit as $unsigned
+                (square as $unsigned).checked_shr(exponent << 1).unwrap_or(0) <= limit as $unsigned
             }
 
             #[inline]

@@ -21,8 +21,11 @@ pub trait Float:
     /// 1.
     const ONE: Self;
 
-    /// 0.714, about; see [`Real::COSINE_OF_WIDE`].
-    const COSINE_OF_WIDE: Self;
+    /// The greatest finite number.
+    const MAX: Self;
+
+    /// See [`Real::STEEP`].
+    const STEEP: [Self; 2];
 
     /// A power of two by which lengths are scaled before they are squared, so that the square of a light's radius
     /// stays a normal number. 1 where the format's exponent is wide enough.
@@ -54,7 +57,9 @@ impl Float for f64 {
 
     const ONE: Self = 1.0;
 
-    const COSINE_OF_WIDE: Self = 0.714;
+    const MAX: Self = f64::MAX;
+
+    const STEEP: [Self; 2] = [-0.714, 0.714];
 
     const SPLITTER: f64 = 134_217_729.0;
 
@@ -86,7 +91,9 @@ impl Float for f32 {
 
     const ONE: Self = 1.0;
 
-    const COSINE_OF_WIDE: Self = 0.714;
+    const MAX: Self = f32::MAX;
+
+    const STEEP: [Self; 2] = [-0.714, 0.714];
 
     const SPLITTER: f64 = 4097.0;
 
@@ -124,7 +131,9 @@ impl<T: Float> Real for T {
 
     const WIDE_ONE: T = T::ONE;
 
-    const COSINE_OF_WIDE: T = <T as Float>::COSINE_OF_WIDE;
+    const WIDE_MAX: T = T::MAX;
+
+    const STEEP: [T; 2] = <T as Float>::STEEP;
 
     #[inline]
     fn from_f64(value: f64) -> Self {

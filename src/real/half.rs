@@ -11,7 +11,9 @@ impl Float for f16 {
 
     const ONE: Self = f16::from_f32_const(1.0);
 
-    const COSINE_OF_WIDE: Self = f16::from_f32_const(0.714);
+    const MAX: Self = f16::MAX;
+
+    const STEEP: [Self; 2] = [f16::from_f32_const(-0.714), f16::from_f32_const(0.714)];
 
     const SPLITTER: f64 = 65.0;
 

@@ -11,7 +11,9 @@ impl Float for F32 {
 
     const ONE: Self = F32(1.0);
 
-    const COSINE_OF_WIDE: Self = F32(0.714);
+    const MAX: Self = F32::MAX;
+
+    const STEEP: [Self; 2] = [F32(-0.714), F32(0.714)];
 
     const SPLITTER: f64 = 4097.0;
 

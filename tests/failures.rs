@@ -1,0 +1,202 @@
+//! The catalogue of failures of direction methods: the old form fails with the figure stated, the recommended one does not.
+//!
+//! Scene S: `l = (1, 2, 3) / sqrt 14`, turned towards `(3, 0, -1) / sqrt 10`; theta is the angular radius of the light.
+
+use fixed::types::{I2F14, I2F30};
+use half::f16;
+use sunglint::{DistantLight, DistantSphere, Real, cap, disc, factored, oracle};
+
+const RATIO: f64 = 0.00465;
+
+fn light(ratio: f64) -> DistantLight {
+    DistantLight::from_ratio(ratio).unwrap()
+}
+
+fn sphere<T: Real>(ratio: f64) -> DistantSphere<T> {
+    DistantSphere::of(&light(ratio))
+}
+
+/// Scene S with the mirror direction at `angle`.
+fn scene<T: Real>(angle: f64) -> ([T; 3], [T; 3]) {
+    let l = [1.0, 2.0, 3.0].map(|lane: f64| lane / 14_f64.sqrt());
+    let aside = [3.0, 0.0, -1.0].map(|lane: f64| lane / 10_f64.sqrt());
+    let r = [0, 1, 2].map(|i| angle.cos() * l[i] + angle.sin() * aside[i]);
+    (l.map(T::from_f64), r.map(T::from_f64))
+}
+
+/// How far `answer` is from `l`, in units of `theta`.
+fn turn<T: Real>(l: [T; 3], answer: [T; 3], theta: f64) -> f64 {
+    oracle::angle_between(l.map(T::to_f64), answer.map(T::to_f64)) / theta
+}
+
+fn floats<T: Real>(v: [f64; 3]) -> [T; 3] {
+    v.map(T::from_f64)
+}
+
+fn assert_near(value: f64, expected: f64, tolerance: f64) {
+    assert!((value - expected).abs() <= tolerance, "{value} is not {expected}");
+}
+
+/// f16 rounds the cosine of the Sun's radius to 1.
+#[test]
+fn disc_in_f16_loses_the_sun_out_to_seven_radii() {
+    let theta = light(RATIO).angular_radius();
+    let (l, r) = scene::<f16>(3.0 * theta);
+    assert_eq!(disc(l, r, &sphere(RATIO)), r);
+    assert_near(turn(l, r, theta), 2.988, 0.001);
+    for k in 1..100 {
+        let (l, r) = scene::<f16>(f64::from(k) * 0.1 * theta);
+        println!("{} {}", k, disc(l, r, &sphere(RATIO)) == r);
+    }
+}
+
+/// f32 resolves the cosine of a tiny disc in steps as large as its versine.
+#[test]
+fn disc_in_f32_cannot_tell_a_tiny_disc() {
+    let theta = light(1e-4).angular_radius();
+    for angle in [1.5e-4, 3e-4] {
+        let (l, r) = scene::<f32>(angle);
+        assert_eq!(disc(l, r, &sphere(1e-4)), r);
+        assert_near(turn(l, cap(l, r, &sphere(1e-4)), theta), 1.0, 1e-3);
+    }
+    let (l, r) = scene::<f32>(0.5e-4);
+    assert_near(turn(l, disc(l, r, &sphere(1e-4)), theta), 1.0, 0.01);
+    assert_eq!(cap(l, r, &sphere(1e-4)), r);
+}
+
+/// The `*` of the fixed crate rounds each product back to the format.
+#[test]
+fn factored_with_every_product_rounded_has_no_disc() {
+    let theta = light(RATIO).angular_radius();
+    let (mut strict, mut wide) = (0.0_f64, 0.0_f64);
+    for step in 1..100 {
+        let (l, r) = scene::<I2F14>(f64::from(step) * 0.1 * theta);
+        let exact = oracle::factored_direction(l.map(I2F14::to_f64), r.map(I2F14::to_f64), RATIO);
+        let error = |answer: [I2F14; 3]| oracle::angle_between(answer.map(I2F14::to_f64), exact) / theta;
+        strict = strict.max(error(strictly_factored(l, r)));
+        wide = wide.max(error(factored(l, r, &sphere(RATIO))));
+    }
+    assert_near(strict, 0.69, 0.01);
+    assert!(wide < 0.02, "{wide}");
+}
+
+fn strictly_factored(l: [I2F14; 3], r: [I2F14; 3]) -> [I2F14; 3] {
+    let dot = |a: [I2F14; 3], b: [I2F14; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let along = dot(l, r);
+    let d = [0, 1, 2].map(|i| along * r[i] - l[i]);
+    let length = dot(d, d).sqrt();
+    let factor = I2F14::from_num(RATIO).checked_div(length).unwrap_or(I2F14::ONE).min(I2F14::ONE);
+    [0, 1, 2].map(|i| l[i] + factor * d[i])
+}
+
+/// Opposite directions have no nearest point on the rim; the answer is the centre, in all formats and on axes too.
+#[test]
+fn opposite_directions_give_the_centre() {
+    fn check<T: Real>() {
+        for l in [[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [0.6, 0.0, 0.8], [0.36, 0.48, 0.8]].map(floats::<T>) {
+            let r = l.map(|lane| T::sub(T::ZERO, lane));
+            for ratio in [0.0, RATIO, 0.9, 1.0] {
+                assert_eq!(cap(l, r, &sphere(ratio)), l);
+            }
+        }
+    }
+    check::<f64>();
+    check::<f32>();
+    check::<micromath::F32>();
+    check::<f16>();
+    check::<I2F14>();
+    check::<I2F30>();
+    check::<fixed::types::I16F16>();
+}
+
+/// The seed's point falls into the origin where the sphere reaches from the light to the mirror ray's perpendicular.
+#[test]
+fn factored_has_no_direction_at_a_right_angle_to_a_full_disc() {
+    let (l, r) = (floats::<f64>([0.0, 0.0, 1.0]), floats([1.0, 0.0, 0.0]));
+    assert_eq!(factored(l, r, &sphere(1.0)), [0.0; 3]);
+    assert_eq!(cap(l, r, &sphere(1.0)), r);
+}
+
+/// 0 times infinity, as the seed's formula has it for parallel directions.
+#[test]
+fn parallel_directions_and_a_point_light_give_the_light() {
+    fn check<T: Real>() {
+        let (l, _) = scene::<T>(0.0);
+        for ratio in [0.0, RATIO] {
+            assert_eq!(cap(l, l, &sphere(ratio)), l);
+            assert!(turn(l, factored(l, l, &sphere(ratio)), 1.0) < 1e-3);
+        }
+    }
+    check::<f32>();
+    check::<f16>();
+    check::<I2F14>();
+    check::<I2F30>();
+}
+
+/// The seed's shift is perpendicular to the line of `r`, so that behind the surface it moves away from `r`.
+#[test]
+fn factored_moves_away_from_rays_behind_the_light() {
+    let theta = light(RATIO).angular_radius();
+    for degrees in [91.0_f64, 120.0, 179.0] {
+        let (l, r) = scene::<f64>(degrees.to_radians());
+        let angle = oracle::angle_between(l, r);
+        let from_factored = oracle::angle_between(factored(l, r, &sphere(RATIO)), r);
+        let from_cap = oracle::angle_between(cap(l, r, &sphere(RATIO)), r);
+        assert!(from_factored > angle, "{degrees}");
+        assert_near(angle - from_cap, theta, 1e-12);
+    }
+    let (l, r) = scene::<f64>(2.5);
+    let away = r.map(|lane| -lane);
+    assert!(oracle::angle_between(factored(l, r, &sphere(0.999)), away) < 0.1);
+}
+
+/// A squared distance of 3 does not fit I2F30, nor does a difference of 2.
+#[test]
+fn cap_holds_far_directions_in_fixed_point() {
+    let theta = light(RATIO).angular_radius();
+    let far = [3_f64.sqrt() / 2.0, 0.0, -0.5];
+    let (l, r) = (floats::<I2F30>([0.0, 0.0, 1.0]), floats(far));
+    assert_near(turn(l, cap(l, r, &sphere(RATIO)), theta), 1.0, 1e-6);
+    let (l, r) = (floats::<I2F14>([0.0, 0.0, -1.0]), floats(far.map(|lane| -lane)));
+    assert_near(turn(l, cap(l, r, &sphere(RATIO)), theta), 1.0, 0.02);
+}
+
+/// The answer is continuous across the rim: both sides are within twice the worst error of each other.
+#[test]
+fn cap_is_continuous_across_the_rim() {
+    fn check<T: Real>(budget: f64) {
+        let theta = light(RATIO).angular_radius();
+        for step in [1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+            for angle in [theta * (1.0 - step), theta * (1.0 + step)] {
+                let (l, r) = scene::<T>(angle);
+                let exact = oracle::nearest_in_disc(l.map(T::to_f64), r.map(T::to_f64), theta);
+                let error = oracle::angle_between(cap(l, r, &sphere(RATIO)).map(T::to_f64), exact);
+                assert!(error <= budget, "{} at {angle}: {error:e}", T::NAME);
+            }
+        }
+    }
+    check::<f64>(2.5e-16);
+    check::<f32>(5.4e-8);
+    check::<f16>(4.4e-4);
+    check::<I2F14>(5.8e-5);
+    check::<I2F30>(1.4e-9);
+}
+
+/// Beside the opposite of a disc of half the sky, what the projection leaves along `l` must not turn the answer to `-l`.
+#[test]
+fn cap_never_leaves_the_hemisphere() {
+    fn check<T: Real>() {
+        for ratio in [0.999, 0.9999, 1.0] {
+            for index in 0..2000 {
+                let away = std::f64::consts::PI - 1e-3 * f64::from(index) / 2000.0;
+                let (l, r) = scene::<T>(away);
+                let answer = cap(l, r, &sphere(ratio));
+                let angle = turn(l, answer, 1.0);
+                assert!(angle < 1.62, "{}: {angle} at {away}", T::NAME);
+            }
+        }
+    }
+    check::<f16>();
+    check::<I2F14>();
+    check::<f32>();
+}

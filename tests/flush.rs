@@ -1,0 +1,110 @@
+//! f16 on hardware that flushes subnormals to zero: right as it is, and lost without the scale.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+use half::f16;
+use sunglint::trial::{Format, Method, budget, input, judge};
+use sunglint::{DistantSphere, Float, Real, SUN, cap, oracle};
+
+/// f16 whose every operation flushes subnormal arguments and results; `SCALED` with this crate's scale for squares.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+struct Flushing<const SCALED: bool>(f16);
+
+fn flush<const SCALED: bool>(value: f16) -> Flushing<SCALED> {
+    let subnormal = value.classify() == core::num::FpCategory::Subnormal;
+    Flushing(if subnormal { f16::ZERO } else { value })
+}
+
+impl<const SCALED: bool> Add for Flushing<SCALED> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        flush(self.0 + other.0)
+    }
+}
+
+impl<const SCALED: bool> Sub for Flushing<SCALED> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        flush(self.0 - other.0)
+    }
+}
+
+impl<const SCALED: bool> Mul for Flushing<SCALED> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        flush(self.0 * other.0)
+    }
+}
+
+impl<const SCALED: bool> Div for Flushing<SCALED> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        flush(self.0 / other.0)
+    }
+}
+
+impl<const SCALED: bool> Float for Flushing<SCALED> {
+    const FORMAT: &'static str = "flushing f16";
+    const ZERO: Self = Self(<f16 as Float>::ZERO);
+    const ONE: Self = Self(<f16 as Float>::ONE);
+    const MAX: Self = Self(<f16 as Float>::MAX);
+    const STEEP: [Self; 2] = [Self(<f16 as Float>::STEEP[0]), Self(<f16 as Float>::STEEP[1])];
+    const SCALE: f64 = if SCALED { <f16 as Float>::SCALE } else { 1.0 };
+    const SAFE_SQUARE: [f64; 2] = <f16 as Float>::SAFE_SQUARE;
+    const SPLITTER: f64 = <f16 as Float>::SPLITTER;
+
+    fn nearest(value: f64) -> Self {
+        flush(f16::nearest(value))
+    }
+
+    fn exact(self) -> f64 {
+        self.0.exact()
+    }
+
+    fn over_root(length: Self, square: Self) -> Self {
+        flush(f16::over_root(length.0, square.0))
+    }
+
+    fn root(self) -> Self {
+        flush(self.0.root())
+    }
+}
+
+/// Scene S at 1.5 times the Sun's radius: where the answer lies, in radii.
+fn turn<T: Real>() -> f64 {
+    let light = sunglint::DistantLight::from_ratio(0.00465).unwrap();
+    let theta = light.angular_radius();
+    let l = [1.0, 2.0, 3.0].map(|lane: f64| lane / 14_f64.sqrt());
+    let aside = [3.0, 0.0, -1.0].map(|lane: f64| lane / 10_f64.sqrt());
+    let r = [0, 1, 2].map(|i| (1.5 * theta).cos() * l[i] + (1.5 * theta).sin() * aside[i]);
+    let (l, r) = (l.map(T::from_f64), r.map(T::from_f64));
+    let answer = cap(l, r, &DistantSphere::<T>::of(&light));
+    oracle::angle_between(l.map(T::to_f64), answer.map(T::to_f64)) / theta
+}
+
+#[test]
+fn without_the_scale_the_sun_is_drawn_too_wide() {
+    assert!((turn::<Flushing<false>>() - 1.5).abs() < 0.02);
+    assert!((turn::<Flushing<true>>() - 0.996).abs() < 0.001);
+}
+
+/// Worst error of `cap` at the Sun where `r` is farther than `steps` steps of f16 from `-l`.
+fn worst_beyond(steps: f64) -> f64 {
+    let theta = SUN.angular_radius();
+    let pairs = input::random(1, 50_000, theta).chain(input::hard(theta));
+    judge::<Flushing<true>>(Method::Cap, &SUN, pairs, steps * Format::F16.step()).worst.error
+}
+
+#[test]
+fn cap_keeps_the_budget_of_f16() {
+    let budget = budget::maximum(Method::Cap, Format::F16, 0).unwrap();
+    let worst = worst_beyond(4.0);
+    assert!(worst <= budget && worst >= budget / 4.0, "{worst:e}");
+}
+
+/// Beside `-l` the tangent's own lanes are flushed, which costs up to a sixth of the Sun's radius.
+#[test]
+fn beside_the_opposite_flushing_costs_a_little() {
+    let worst = worst_beyond(1.0);
+    assert!(worst <= 8.1e-4 && worst >= 8.1e-4 / 4.0, "{worst:e}");
+}

@@ -1,0 +1,42 @@
+//! The raw-bits layer is the `fixed` layer on bits.
+
+use fixed::types::{I2F14, I2F30};
+use sunglint::trial::input;
+use sunglint::{DistantSphere, Real, SUN, cap, disc, factored, normalize, raw, reflect};
+
+const SUN_Q14: DistantSphere<I2F14> = DistantSphere::<I2F14>::new(&SUN);
+const SUN_Q30: DistantSphere<I2F30> = DistantSphere::<I2F30>::new(&SUN);
+
+#[test]
+fn q14_is_i2f14() {
+    for pair in input::random(1, 2000, SUN.angular_radius()) {
+        let (l, r) = (pair.l.map(I2F14::from_f64), pair.r.map(I2F14::from_f64));
+        let (a, b) = (l.map(I2F14::to_bits), r.map(I2F14::to_bits));
+        assert_eq!(raw::cap_q14(a, b, &SUN_Q14), cap(l, r, &SUN_Q14).map(I2F14::to_bits));
+        assert_eq!(raw::factored_q14(a, b, &SUN_Q14), factored(l, r, &SUN_Q14).map(I2F14::to_bits));
+        assert_eq!(raw::disc_q14(a, b, &SUN_Q14), disc(l, r, &SUN_Q14).map(I2F14::to_bits));
+        assert_eq!(raw::reflect_q14(a, b), reflect(l, r).map(I2F14::to_bits));
+        assert_eq!(raw::normalize_q14(a), normalize(l).map(I2F14::to_bits));
+    }
+}
+
+#[test]
+fn q30_is_i2f30() {
+    for pair in input::random(2, 2000, SUN.angular_radius()) {
+        let (l, r) = (pair.l.map(I2F30::from_f64), pair.r.map(I2F30::from_f64));
+        let (a, b) = (l.map(I2F30::to_bits), r.map(I2F30::to_bits));
+        assert_eq!(raw::cap_q30(a, b, &SUN_Q30), cap(l, r, &SUN_Q30).map(I2F30::to_bits));
+        assert_eq!(raw::factored_q30(a, b, &SUN_Q30), factored(l, r, &SUN_Q30).map(I2F30::to_bits));
+        assert_eq!(raw::disc_q30(a, b, &SUN_Q30), disc(l, r, &SUN_Q30).map(I2F30::to_bits));
+        assert_eq!(raw::reflect_q30(a, b), reflect(l, r).map(I2F30::to_bits));
+        assert_eq!(raw::normalize_q30(a), normalize(l).map(I2F30::to_bits));
+    }
+}
+
+/// The Sun straight above, the mirror ray 10 degrees beside it: worked out by hand.
+#[test]
+fn a_known_direction() {
+    let (l, r) = ([0, 0, 16384], [2845, 0, 16135]);
+    // sin and cos of the Sun's 0.2665 degrees, in Q14: 76.19 and 16383.82.
+    assert_eq!(raw::cap_q14(l, r, &SUN_Q14), [76, 0, 16384]);
+}
