@@ -80,6 +80,7 @@ const fn cos_octant(t: f64) -> f64 {
 }
 
 /// The nearest multiple of `2^-fraction` as an integer, halves upwards; saturates at 63 bits.
+#[cfg(feature = "fixed")]
 pub(crate) const fn to_fixed(value: f64, fraction: u32) -> i64 {
     let scaled = value * (1_u64 << fraction) as f64;
     let whole = scaled as i64;

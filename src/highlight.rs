@@ -5,7 +5,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use crate::light::LightError;
-use crate::real::Float;
+use crate::real::{Float, Real};
 
 /// Karis's factor `(alpha / alpha')^2` with `alpha' = sat(alpha + x / 2)`; 1 for `alpha = x = 0`.
 ///
@@ -52,7 +52,7 @@ pub fn exact_rp<T: Float>(alpha: T, theta: T) -> Result<T, LightError> {
 }
 
 fn checked<T: Float>(alpha: T) -> Result<T, LightError> {
-    let allowed = alpha >= T::nearest(0.0) && alpha <= T::nearest(1.0);
+    let allowed = alpha >= T::WIDE_ZERO && alpha <= T::WIDE_ONE;
     if allowed { Ok(alpha) } else { Err(LightError::Alpha(alpha.exact())) }
 }
 

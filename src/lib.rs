@@ -1,4 +1,44 @@
-//! Light a surface by the Sun, or by any distant sphere, in the arithmetic that the machine has.
+//! Light a surface by the Sun, or by any distant sphere, in the arithmetic that the machine has: fixed point on a chip without
+//! an FPU, half floats on a phone GPU, f32, f64.
+//!
+//! A distant sphere needs no position, only radius over distance. This crate turns that ratio into constants once
+//! ([`DistantSphere`]), and with them every pixel into the direction to shade with ([`cap`]), so that the highlight has the light's
+//! size. It does nothing else that a scene has: no camera, no geometry, no colour.
+//!
+//! ```
+//! use sunglint::{DistantSphere, SUN, cap, reflect};
+//!
+//! const SUN_F32: DistantSphere<f32> = DistantSphere::<f32>::new(&SUN);
+//!
+//! let (n, v, l) = ([0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [-0.5985, 0.0, 0.80112]);
+//! let specular_l = cap(l, reflect(n, v), &SUN_F32);
+//! // The mirror ray is within the Sun's 0.27 degrees, so it is what the surface reflects.
+//! assert_eq!(specular_l, [-0.6, 0.0, 0.8]);
+//! ```
+//!
+//! # Formats
+//!
+//! | type | lanes | scalars and constants | worst error of [`cap`] at the Sun | light quantities |
+//! |---|---|---|---|---|
+//! | `f64`, `f32` | as they are | the same | 2.5e-16, 5.4e-8 rad | 0.51 ULP (f32) |
+//! | `micromath::F32` | f32 | the same | 7.5e-8 rad | 0.51 ULP |
+//! | `half::f16` | f16, subnormals not needed | the same | 4.4e-4 rad | 0.8 ULP |
+//! | `fixed` I2F14 | Q14 in 16 bits | Q28 in 32 | 5.8e-5 rad | 1 LSB of U16F48, U52F12 |
+//! | `fixed` I2F30 | Q30 in 32 bits | Q60 in 64 | 1.4e-9 rad | the same |
+//! | `fixed` I16F16 | Q16 in 32 bits | Q32 in 64 | 1.5e-5 rad | the same |
+//!
+//! All live in one build; a format is a type, and a formula is written once over [`Real`]. [`raw`] takes and gives bits.
+//!
+//! # Overflow
+//!
+//! Nothing panics. A light that cannot be is a [`LightError`] with the value and the range. Per pixel, vectors are expected
+//! at unit length, give or take what rounding does; lengths up to 1.4 never overflow any format. Beyond that fixed point wraps or
+//! saturates to a meaningless direction. NaN and infinities have the answers that each function documents.
+//!
+//! # Features
+//!
+//! `fixed`, `half` and `micromath` (all on) bring the formats of the crates of those names. None changes a result. `oracle` adds the
+//! f64 truth and the lists that tests and study share, without the standard library; `study` the host tool.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -25,3 +65,8 @@ pub use light::{DistantLight, LightError, SUN};
 pub use real::{Float, Real};
 pub use specular::{cap, disc, epic, factored, normalize, reflect};
 pub use sphere::{DistantSphere, UnfactoredSphere};
+
+/// The README's examples are tests too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -5,7 +5,7 @@ use core::fmt;
 use crate::constant;
 
 /// The Sun seen from one astronomical unit: the IAU's nominal solar radius (2015 resolution B3, 695 700 km) over the
-/// astronomical unit (2012 resolution B2, 149 597 870.7 km). Radius over distance is 0.004 650 467 2.
+/// astronomical unit (2012 resolution B2, 149 597 870.7 km). Radius over distance is 0.004 650 467 3.
 pub const SUN: DistantLight = match DistantLight::from_radius_and_distance(SOLAR_RADIUS_KM, ASTRONOMICAL_UNIT_KM) {
     Ok(sun) => sun,
     Err(_) => panic!("the Sun is farther away than it is wide"),

@@ -22,7 +22,7 @@ use core::f64::consts::PI;
 
 use crate::light::{ASTRONOMICAL_UNIT_KM, DistantLight, LightError, SOLAR_RADIUS_KM};
 use crate::pair::Pair;
-use crate::real::Float;
+use crate::real::{Float, Real};
 
 /// The Sun's radius over its distance from Earth, from the figures of [`SUN`](crate::SUN).
 const SUN_RATIO: f64 = SOLAR_RADIUS_KM / ASTRONOMICAL_UNIT_KM;
@@ -96,8 +96,8 @@ pub fn solid_angle<T: Float>(ratio: T) -> Result<T, LightError> {
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
 pub fn size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    if ratio == T::nearest(0.0) {
-        return Ok(T::nearest(1.0));
+    if ratio == T::WIDE_ZERO {
+        return Ok(T::WIDE_ONE);
     }
     Ok(unscaled(scaled_square(ratio).times(Pair::constant(PI))))
 }
@@ -109,8 +109,8 @@ pub fn size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
 /// below `x = 2.2e-3`.
 pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    if ratio == T::nearest(0.0) {
-        return Ok(T::nearest(1.0));
+    if ratio == T::WIDE_ZERO {
+        return Ok(T::WIDE_ONE);
     }
     inverse(Pair::constant(1.0 / PI), ratio)
 }
@@ -122,8 +122,9 @@ pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
 /// infinite; [`LightError::Overflow`] where the answer is infinite.
 pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    let zero = T::nearest(0.0);
-    if !(intensity >= zero && intensity - intensity == zero) {
+    let zero = T::WIDE_ZERO;
+    let allowed = intensity >= zero && intensity <= T::MAX;
+    if !allowed {
         return Err(LightError::Intensity(intensity.exact()));
     }
     if ratio == zero {
@@ -139,7 +140,7 @@ pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
 /// f16 below 1/256.
 pub fn white_radiance<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    if ratio == T::nearest(0.0) {
+    if ratio == T::WIDE_ZERO {
         return Err(LightError::Overflow(T::FORMAT));
     }
     inverse(Pair::constant(1.0), ratio)
@@ -150,8 +151,9 @@ pub fn white_radiance<T: Float>(ratio: T) -> Result<T, LightError> {
 /// # Errors
 /// [`LightError::Distance`] where `distance` is not positive and finite.
 pub fn sun_radius_at<T: Float>(distance: T) -> Result<T, LightError> {
-    let zero = T::nearest(0.0);
-    if !(distance > zero && distance - distance == zero) {
+    let zero = T::WIDE_ZERO;
+    let allowed = distance > zero && distance <= T::MAX;
+    if !allowed {
         return Err(LightError::Distance(distance.exact()));
     }
     Ok(distance * T::nearest(SUN_RATIO))
@@ -166,13 +168,13 @@ fn scaled_square<T: Float>(ratio: T) -> Pair<T> {
 /// `w` times the same.
 fn scaled_versine<T: Float>(ratio: T) -> Pair<T> {
     let cos = cosine(ratio);
-    let one_plus_cos = Pair::sum(T::nearest(1.0), cos.high);
+    let one_plus_cos = Pair::sum(T::WIDE_ONE, cos.high);
     scaled_square(ratio).over(Pair { high: one_plus_cos.high, low: one_plus_cos.low + cos.low })
 }
 
 /// `sqrt((1 - x)(1 + x))`.
 pub(crate) fn cosine<T: Float>(ratio: T) -> Pair<T> {
-    let [zero, one] = [0.0, 1.0].map(T::nearest);
+    let [zero, one] = [T::WIDE_ZERO, T::WIDE_ONE];
     Pair::sum(one, zero - ratio).times(Pair::sum(one, ratio)).root()
 }
 
@@ -183,12 +185,11 @@ fn unscaled<T: Float>(value: Pair<T>) -> T {
 /// `dividend / x^2`.
 fn inverse<T: Float>(dividend: Pair<T>, ratio: T) -> Result<T, LightError> {
     let quotient = dividend.over(scaled_square(ratio)).rounded() * T::nearest(T::SCALE * T::SCALE);
-    // Infinity and NaN are the two whose difference with themselves is not zero.
-    if quotient - quotient == T::nearest(0.0) { Ok(quotient) } else { Err(LightError::Overflow(T::FORMAT)) }
+    if quotient <= T::MAX { Ok(quotient) } else { Err(LightError::Overflow(T::FORMAT)) }
 }
 
 fn checked<T: Float>(ratio: T) -> Result<T, LightError> {
-    let allowed = ratio >= T::nearest(0.0) && ratio <= T::nearest(1.0);
+    let allowed = ratio >= T::WIDE_ZERO && ratio <= T::WIDE_ONE;
     if allowed { Ok(ratio) } else { Err(LightError::Ratio(ratio.exact())) }
 }
 

@@ -1,7 +1,7 @@
 //! The unevaluated sum of two floats, for the few quantities of a light that are computed once and should be right to the last
 //! place. Dekker's arithmetic, which needs no fused multiply-add.
 
-use crate::real::Float;
+use crate::real::{Float, Real};
 
 /// `high + low`, `low` being what rounding took from `high`.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +46,7 @@ impl<T: Float> Pair<T> {
     /// The square root; zero for zero.
     pub(crate) fn root(self) -> Self {
         let first = self.high.root();
-        if !(first > T::nearest(0.0)) {
+        if first <= T::WIDE_ZERO {
             return self;
         }
         let taken = Self::product(first, first);

@@ -16,6 +16,7 @@ use crate::vec3::zip;
 ///
 /// For studies. A distance in kilometres overflows f16, whose answer is then NaN, and every fixed-point format, whose
 /// answer is then finite and meaningless. See [`factored`] for what it computes where it works.
+#[inline]
 pub fn epic<T: Real>(l: [T; 3], r: [T; 3], light: &UnfactoredSphere<T>) -> [T; 3] {
     let to_light = T::diff(light.distance, l, T::WIDE_ZERO, l);
     let c = T::diff(T::dot(to_light, r), r, T::WIDE_ONE, to_light);
@@ -26,7 +27,7 @@ pub fn epic<T: Real>(l: [T; 3], r: [T; 3], light: &UnfactoredSphere<T>) -> [T; 3
         T::rim(to_light, T::WIDE_ZERO, c, square, light.radius)
     };
     // Left as it is, a NaN shows that the method failed.
-    if p[0] == p[0] && p[1] == p[1] && p[2] == p[2] { T::normalize(p) } else { p }
+    if p.into_iter().all(|lane| lane.partial_cmp(&lane).is_some()) { T::normalize(p) } else { p }
 }
 
 /// Epic's point with the distance divided out: `D = (l.r) r - l`, `P = l + D sat(x / |D|)`, normalised.
@@ -35,6 +36,7 @@ pub fn epic<T: Real>(l: [T; 3], r: [T; 3], light: &UnfactoredSphere<T>) -> [T; 3
 /// of `theta`: exact inside the disc, 0.34 % short at 5 degrees, half at 60, and *away* from `r` beyond 90 degrees. It is even in
 /// `r`: the sign of `reflect` does not matter. Where `P` is zero (`x = 1`, `l` perpendicular to `r`) the answer is zero.
 /// Meant for lights that subtend up to 180 degrees, as spheres do.
+#[inline]
 pub fn factored<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let d = T::diff(T::dot(l, r), r, T::WIDE_ONE, l);
     let square = T::square(d);
@@ -49,6 +51,7 @@ pub fn factored<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 
 /// For studies: the same answer as [`cap`] in exact arithmetic, but the cosine of a small disc is so close to 1 that f16 takes
 /// all within 7 radii of the Sun to be inside, and f32 tells only 183 steps apart. At `r = -l` the answer is `l`. Does not look for infinities: an
 /// infinite `r` may be returned.
+#[inline]
 pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let l_dot_r = T::dot(l, r);
     if l_dot_r >= light.cos {
@@ -77,6 +80,7 @@ pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
 /// | root mean square | 4.6e-17 | 1.4e-8 | 1.8e-8 | 1.1e-4 | 2.3e-5 | 4.5e-10 | 5.7e-6 |
 ///
 /// Cost: three dot products (four where `l.r < 0`), and outside the disc one root.
+#[inline]
 pub fn cap<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let l_dot_r = T::dot(l, r);
     let toward = l_dot_r >= T::WIDE_ZERO;
@@ -89,9 +93,10 @@ pub fn cap<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
         (s, first + second)
     };
     let square = T::square(s);
-    // False for NaN and infinity, one of which square is wherever an input was not finite.
-    if !(square > T::WIDE_ZERO && square <= T::WIDE_MAX) {
-        let parallel = square >= T::WIDE_ZERO && square <= T::WIDE_MAX && (toward || l_dot_r >= light.cos);
+    // False for NaN and infinity, one of which the square is wherever an input was not finite.
+    let usable = square > T::WIDE_ZERO && square <= T::WIDE_MAX;
+    if !usable {
+        let parallel = square == T::WIDE_ZERO && (toward || l_dot_r >= light.cos);
         return if parallel { r } else { finite(l) };
     }
     let [behind, ahead] = T::STEEP;
@@ -109,16 +114,19 @@ pub fn cap<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
 ///
 /// Shading languages' `reflect(i, n)` takes the direction *to* the surface: `reflect(-v, n)` there is this; `reflect(v, n)` there is
 /// its negative.
+#[inline]
 pub fn reflect<T: Real>(n: [T; 3], v: [T; 3]) -> [T; 3] {
     T::diff(T::twice(T::dot(n, v)), n, T::WIDE_ONE, v)
 }
 
 /// `v` at unit length. A zero vector, and one with a NaN or an infinity, gives zero.
+#[inline]
 pub fn normalize<T: Real>(v: [T; 3]) -> [T; 3] {
     T::normalize(v)
 }
 
 /// `e` less its part along `l`, magnified by two to the power given beside it.
+#[inline]
 fn tangent<T: Real>(e: [T; 3], l: [T; 3]) -> ([T; 3], u32) {
     let (e, exponent) = T::magnify(e);
     (T::diff(T::WIDE_ONE, e, T::dot(e, l), l), exponent)

@@ -1,11 +1,9 @@
 //! The raw-bits layer is the `fixed` layer on bits.
 
 use fixed::types::{I2F14, I2F30};
+use sunglint::raw::{SUN_Q14, SUN_Q30};
 use sunglint::trial::input;
-use sunglint::{DistantSphere, Real, SUN, cap, disc, factored, normalize, raw, reflect};
-
-const SUN_Q14: DistantSphere<I2F14> = DistantSphere::<I2F14>::new(&SUN);
-const SUN_Q30: DistantSphere<I2F30> = DistantSphere::<I2F30>::new(&SUN);
+use sunglint::{Real, SUN, cap, disc, factored, normalize, raw, reflect};
 
 #[test]
 fn q14_is_i2f14() {

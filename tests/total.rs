@@ -37,7 +37,7 @@ fn finite<T: Real>(answer: [T; 3]) {
 /// Random bits, and one time in four an end of the range or another special one.
 fn bits(source: &mut Rand64, special: &[u64]) -> u64 {
     let random = source.rand_u64();
-    if random % 4 == 0 { special[(random >> 8) as usize % special.len()] } else { random }
+    if random & 3 == 0 { special[(random >> 8) as usize % special.len()] } else { random }
 }
 
 #[test]

@@ -203,7 +203,7 @@ impl<T: Float> Real for T {
         let [least, most] = T::SAFE_SQUARE.map(T::nearest);
         let safe = square >= least && square <= most;
         let (v, square) = if safe { (v, square) } else { rescale(v) };
-        if !(square > T::WIDE_ZERO) {
+        if square <= T::WIDE_ZERO {
             return [T::WIDE_ZERO; 3];
         }
         let k = T::over_root(T::ONE, square);
@@ -217,11 +217,11 @@ fn rescale<T: Float>(v: [T; 3]) -> ([T; 3], T) {
     let zero = T::WIDE_ZERO;
     let largest = v.into_iter().fold(zero, |most, lane| {
         let size = if lane < zero { zero - lane } else { lane };
-        // Written so that a NaN lane wins.
-        if size <= most { most } else { size }
+        if size > most { size } else { most }
     });
-    let usable = largest > zero && largest - largest == zero;
+    let usable = largest > zero && largest <= T::MAX;
     let v = if usable { each(v, |lane| lane / largest) } else { [zero; 3] };
     let square = T::dot(v, v);
+    // Another lane may be NaN.
     if square >= zero { (v, square) } else { ([zero; 3], zero) }
 }
