@@ -108,8 +108,8 @@ mod tests {
         for step in 0..=180_000 {
             let degrees = f64::from(step) / 1000.0;
             let radians = degrees * core::f64::consts::PI / 180.0;
-            // Rounding the argument from degrees costs the absolute part.
-            let allowed = |truth: f64| 2.0 * f64::EPSILON * truth.abs() + 3e-16;
+            // Three roundings of the argument in radians cost the absolute part; tests/light.rs has the tight bound.
+            let allowed = |truth: f64| 2.0 * f64::EPSILON * truth.abs() + 7e-16;
             assert!((sin(radians) - radians.sin()).abs() <= 2.0 * f64::EPSILON * radians.sin(), "{degrees}");
             assert!((cos(radians) - radians.cos()).abs() <= 2.0 * f64::EPSILON * radians.cos().abs(), "{degrees}");
             assert!((sin_degrees(degrees) - radians.sin()).abs() <= allowed(radians.sin()), "{degrees}");
