@@ -5,7 +5,7 @@ use core::fmt;
 use crate::constant;
 
 /// The Sun seen from one astronomical unit: the IAU's nominal solar radius (2015 resolution B3, 695 700 km) over the
-/// astronomical unit (2012 resolution B2, 149 597 870.7 km). Radius over distance is 0.004 650 467 3.
+/// astronomical unit (2012 resolution B2, 149 597 870.7 km). Radius over distance is 0.004 650 467 26.
 pub const SUN: DistantLight = match DistantLight::from_radius_and_distance(SOLAR_RADIUS_KM, ASTRONOMICAL_UNIT_KM) {
     Ok(sun) => sun,
     Err(_) => panic!("the Sun is farther away than it is wide"),
@@ -19,8 +19,8 @@ pub const ASTRONOMICAL_UNIT_KM: f64 = 149_597_870.7;
 
 /// A light at a distance that no movement in the scene changes: a sphere of which only the angle counts.
 ///
-/// Holds the sine, cosine and versine (`1 - cos`) of the angular radius in f64, each within two units in the last
-/// place, and is built in constants as well as at run time:
+/// Holds the sine, cosine and versine (`1 - cos`) of the angular radius in f64, each within four units in the
+/// last place, and is built in constants as well as at run time:
 ///
 /// ```
 /// use sunglint::DistantLight;
@@ -78,7 +78,7 @@ impl DistantLight {
             return Err(LightError::AngularRadius(theta));
         }
         let half = constant::sin(theta / 2.0);
-        Ok(Self::disc(constant::sin(theta), constant::cos(theta), 2.0 * half * half))
+        Ok(Self::disc(constant::sin(theta), constant::cos(theta), half))
     }
 
     /// A disc in the sky as UsdLux `angle` gives it: the angular *diameter* in *degrees*, from 0 to 360.
@@ -91,16 +91,19 @@ impl DistantLight {
         }
         let theta = angle / 2.0;
         let half = constant::sin_degrees(theta / 2.0);
-        Ok(Self::disc(constant::sin_degrees(theta), constant::cos_degrees(theta), 2.0 * half * half))
+        Ok(Self::disc(constant::sin_degrees(theta), constant::cos_degrees(theta), half))
     }
 
     const fn sphere(sin: f64, radius: f64, distance: f64) -> Self {
-        // Neither 1 - x^2 nor 1 - cos is formed by a subtraction that cancels.
-        let cos = constant::sqrt((1.0 - sin) * (1.0 + sin));
+        // Neither 1 - x^2 nor 1 - cos is formed by a subtraction that cancels, and 1 - x not from an x that was rounded.
+        let cos = constant::sqrt((distance - radius) / distance * (1.0 + sin));
         Self { sin, cos, versine: sin * sin / (1.0 + cos), radius, distance }
     }
 
-    const fn disc(sin: f64, cos: f64, versine: f64) -> Self {
+    /// `half` is the sine of half the angular radius.
+    const fn disc(sin: f64, cos: f64, half: f64) -> Self {
+        // Only where the cosine is close to 1 does the difference cancel.
+        let versine = if cos < 0.5 { 1.0 - cos } else { 2.0 * half * half };
         let radius = if cos < 0.0 { 1.0 } else { sin };
         Self { sin, cos, versine, radius, distance: 1.0 }
     }

@@ -11,10 +11,15 @@ pub(crate) struct Pair<T> {
 }
 
 impl<T: Float> Pair<T> {
-    /// A constant to twice the format's precision.
-    pub(crate) fn constant(value: f64) -> Self {
+    /// A constant given as its nearest f64 and what that lacks.
+    pub(crate) fn constant([value, low]: [f64; 2]) -> Self {
         let high = T::nearest(value);
-        Self { high, low: T::nearest(value - high.exact()) }
+        Self { high, low: T::nearest((value - high.exact()) + low) }
+    }
+
+    /// Both parts times a power of two.
+    pub(crate) fn scaled(self, scale: T) -> Self {
+        Self { high: self.high * scale, low: self.low * scale }
     }
 
     /// `a + b`, exactly, for `a` at least as large as `b`.
@@ -62,9 +67,9 @@ impl<T: Float> Pair<T> {
 
 /// `a`, which must not be negative, cut into two halves of at most half its digits each.
 fn halves<T: Float>(a: T) -> [T; 2] {
-    let [one, large] = [1.0, 256.0].map(T::nearest);
-    // f16 has no room above its large numbers to cut them in place.
-    let unit = if a > large { large } else { one };
+    // Large numbers have no room above them to be cut in place.
+    let room = T::nearest(2.0 * (T::SPLITTER - 1.0));
+    let unit = if a > room { room } else { T::WIDE_ONE };
     let small = a / unit;
     let scaled = small * T::nearest(T::SPLITTER);
     let high = scaled - (scaled - small);
