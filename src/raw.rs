@@ -1,7 +1,7 @@
 //! Raw bits in, raw bits out: for consoles and firmware whose fixed-point type is their own.
 //!
 //! Vectors are `[i16; 3]` in Q14 (16384 is 1) or `[i32; 3]` in Q30 (1073741824 is 1). Each function is the one of the same name in
-//! [`specular`](crate::specular), in integers to the end.
+//! [`specular`], in integers to the end.
 
 use fixed::types::{I2F14, I2F30};
 

@@ -36,6 +36,11 @@ pub struct Judgement<T> {
     pub total_max: f64,
     /// Mean of the squared error of both together.
     pub total_mean_square: f64,
+    /// Worst error of the nearest direction that rounding `l` and `r` into the format makes by itself, where they are within 90
+    /// degrees of each other. No method is blamed for it.
+    pub input_max: f64,
+    /// Mean of the squared error from rounding the inputs.
+    pub input_mean_square: f64,
     /// Worst arithmetic error in units of the angular radius where `r` is within ten radii of the light (and 90 degrees): how
     /// far off the disc is drawn. From [`DISC_LOST`] on the disc is lost.
     pub disc_lost: f64,
@@ -62,10 +67,18 @@ pub fn judge<T: Real>(
         model_mean_square: 0.0,
         total_max: 0.0,
         total_mean_square: 0.0,
+        input_max: 0.0,
+        input_mean_square: 0.0,
         disc_lost: 0.0,
     };
-    for Pair { l, r } in pairs {
-        let (l, r) = (l.map(T::from_f64), r.map(T::from_f64));
+    let mut facing = 0_u64;
+    for pair in pairs {
+        let (l, r) = (pair.l.map(T::from_f64), pair.r.map(T::from_f64));
+        if let Some(error) = input_error(pair, l.map(T::to_f64), r.map(T::to_f64), light) {
+            facing += 1;
+            sum.input_max = sum.input_max.max(error);
+            sum.input_mean_square += error * error;
+        }
         let answer = method.direction(l, r, &constants).map(T::to_f64);
         if method.is_defined(l.map(T::to_f64), r.map(T::to_f64), light, epsilon) {
             add(&mut sum, method, light, Worst { error: 0.0, l, r }, answer);
@@ -76,8 +89,17 @@ pub fn judge<T: Real>(
         mean_square: mean(sum.mean_square),
         model_mean_square: mean(sum.model_mean_square),
         total_mean_square: mean(sum.total_mean_square),
+        input_mean_square: sum.input_mean_square / facing.max(1) as f64,
         ..sum
     }
+}
+
+/// How far rounding moves the nearest direction, where the light and the mirror ray are within 90 degrees.
+fn input_error(pair: Pair, l: [f64; 3], r: [f64; 3], light: &DistantLight) -> Option<f64> {
+    let theta = light.angular_radius();
+    let facing = oracle::angle_between(pair.l, pair.r) <= core::f64::consts::FRAC_PI_2;
+    let before = || oracle::nearest_in_disc(pair.l, pair.r, theta);
+    facing.then(|| oracle::angle_between(oracle::nearest_in_disc(l, r, theta), before()))
 }
 
 fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at: Worst<T>, answer: [f64; 3]) {

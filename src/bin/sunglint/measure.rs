@@ -114,6 +114,8 @@ fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgem
         model_rms: shown(judgement.model_mean_square.sqrt()),
         total_max: shown(judgement.total_max),
         total_rms: shown(judgement.total_mean_square.sqrt()),
+        input_max: judgement.input_max,
+        input_rms: judgement.input_mean_square.sqrt(),
         samples: judgement.samples,
         non_finite: judgement.non_finite,
         failure: failure(judgement),

@@ -20,6 +20,21 @@ more wrong. The dashed line is an error as large as the light’s own angular ra
 its label says how; in the grey strip on top stands what gave no number at all. Point at a mark for \
 its numbers.</p>";
 
+const METHODS: &str = "<p>All take the unit directions l to the light’s centre and r along the mirror \
+ray, and radius over distance, x = sin θ.</p>\n<dl>\
+<dt>epic</dt><dd>C = (L·r) r − L, P = L + C sat(R / |C|), with L as long as the distance: Epic’s \
+representative point as published. The Sun’s distance in kilometres overflows f16 and fixed point.</dd>\
+<dt>factored</dt><dd>D = (l·r) r − l, P = l + D sat(x / |D|): the same with the distance divided out. \
+Turns by about θ cos(angle), so it falls short away from the light and goes the wrong way behind it.</dd>\
+<dt>disc</dt><dd>r where l·r ≥ cos θ, else cos θ l + sin θ times the tangent: the nearest direction of the \
+disc, told by a cosine that narrow formats round to 1.</dd>\
+<dt>cap</dt><dd>the same direction by the sine: e = r − l (r + l behind the light), s = e − (e·l) l; r \
+where s·s ≤ x², else l + (x / |s|) s − (1 − cos θ) l.</dd></dl>";
+
+const INPUTS: &str = "<p>None of these holds what <strong>rounding the directions</strong> into the format \
+costs before any method has its turn: the truth is always computed from the rounded directions. That \
+error is here, for rays within 90 degrees of the light.</p>";
+
 const ERRORS: &str = "<p><strong>Arithmetic error</strong> is what the number format costs: the \
 computed direction against the exact value of the same formula for the same input. <strong>Model \
 error</strong> is what the formula costs: its exact value against the nearest point of the light’s \
@@ -32,6 +47,7 @@ pub fn report(study: &Study) -> String {
     let lights = in_order(study.rows.iter().map(|row| &row.light));
     let sections = [
         section("How to read this", INTRODUCTION),
+        section("The methods", METHODS),
         section("Error against cost", &charts(study, &lights)),
         section("Arithmetic error, model error, total error", &errors(study, &lights)),
         section("All measurements", &page_table::measurements(&study.rows, &lights)),
@@ -95,7 +111,8 @@ fn selectors(lights: &[String]) -> String {
 }
 
 fn errors(study: &Study, lights: &[String]) -> String {
-    format!("{ERRORS}\n{}", page_table::model_errors(&study.rows, lights))
+    let models = page_table::model_errors(&study.rows, lights);
+    format!("{ERRORS}\n{models}\n{INPUTS}\n{}", page_table::input_errors(&study.rows, lights))
 }
 
 /// Seed, size and command of the run.
@@ -107,7 +124,8 @@ fn origin(study: &Study) -> String {
         false => format!("{} to {}", number::count(least), number::count(most)),
     };
     format!(
-        "<p>sunglint {} tried {tried} directions for each measurement, drawn at random from seed {}. \
+        "<p>sunglint {} tried {tried} directions for each measurement, drawn at random from seed {}, and the hard ones \
+         that have broken a method. \
          To do it again: <code>{}</code>. The same seed gives the same errors. \
          The costs are times of this machine in this run: the median over the rounds, as a \
          multiple of the time of f32 <code>factored</code> in the same round, with the quartiles \

@@ -77,21 +77,37 @@ fn bits(value: &str) -> String {
 
 /// Worst model error of each method under each light.
 pub fn model_errors(rows: &[Row], lights: &[String]) -> String {
-    let methods = in_order(rows.iter().map(|row| &row.method));
-    let mut columns = vec!["worst model error, rad"];
-    columns.extend(methods.iter().map(String::as_str));
-    let line = |light: &String| {
-        let rows = under_light(rows, light);
-        let cells: String = methods.iter().map(|method| model_error(&rows, method)).collect();
-        format!("<tr>{}{cells}</tr>\n", text(light))
-    };
-    sortable("models", &columns, &lights.iter().map(line).collect::<String>())
+    by_light("models", "worst model error, rad", rows, lights, |row| (&row.method, row.model_max))
 }
 
-fn model_error(rows: &[&Row], method: &str) -> String {
+/// What rounding the directions costs in each format under each light.
+pub fn input_errors(rows: &[Row], lights: &[String]) -> String {
+    by_light("inputs", "rms error from rounded inputs, rad", rows, lights, |row| (&row.format, row.input_rms))
+}
+
+/// A line for each light and a column for each name that `cell` gives, in the cells the greatest of its figures.
+fn by_light(
+    id: &str,
+    title: &str,
+    rows: &[Row],
+    lights: &[String],
+    cell: impl Fn(&Row) -> (&String, f64) + Copy,
+) -> String {
+    let names = in_order(rows.iter().map(|row| cell(row).0));
+    let mut columns = vec![title];
+    columns.extend(names.iter().map(String::as_str));
+    let line = |light: &String| {
+        let rows = under_light(rows, light);
+        let cells: String = names.iter().map(|name| greatest(&rows, name, cell)).collect();
+        format!("<tr>{}{cells}</tr>\n", text(light))
+    };
+    sortable(id, &columns, &lights.iter().map(line).collect::<String>())
+}
+
+fn greatest(rows: &[&Row], name: &str, cell: impl Fn(&Row) -> (&String, f64)) -> String {
     let theta = rows.first().map_or(1.0, |row| row.theta);
-    let errors = rows.iter().filter(|row| row.method == method).map(|row| row.model_max);
-    let worst = errors.fold(f64::NAN, f64::max);
+    let figures = rows.iter().map(|row| cell(row)).filter(|(other, _)| *other == name).map(|(_, figure)| figure);
+    let worst = figures.fold(f64::NAN, f64::max);
     let shown = format!("{} ({} %)", number::scientific(worst), number::percent(worst, theta));
     figure(worst, &shown)
 }

@@ -33,6 +33,11 @@ pub struct Row {
     pub total_max: f64,
     /// Root mean square of both together, in radians.
     pub total_rms: f64,
+    /// Worst error in radians that rounding the directions into the format makes by itself, for rays within 90 degrees of the
+    /// light; in none of the errors above.
+    pub input_max: f64,
+    /// Root mean square of the error from rounding the directions, in radians.
+    pub input_rms: f64,
     /// Directions that were tried.
     pub samples: u64,
     /// Answers that held a NaN or an infinity.

@@ -19,6 +19,8 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         model_rms: 0.0,
         total_max: error,
         total_rms: error * 0.4,
+        input_max: 0.0,
+        input_rms: 0.0,
         samples: 1000,
         non_finite: 0,
         failure: None,
