@@ -6,7 +6,7 @@ use kuva::render::render::{Primitive, Scene};
 
 use crate::error_kind::ErrorKind;
 use crate::key::Key;
-use crate::panel::{self, INK, STEP};
+use crate::panel::{self, INK, RADIUS, RADIUS_DASHES, STEP};
 use crate::result::{Row, Study};
 
 const LEGEND: f64 = 125.0;
@@ -68,6 +68,10 @@ fn with_legend(layout: Layout, key: &Key) -> Layout {
     let rest = vec![
         entry("frontier", STEP, LegendShape::Line),
         entry("hollow: fails", INK, LegendShape::Marker(MarkerShape::Cross)),
+        LegendEntry {
+            dasharray: Some(RADIUS_DASHES.to_owned()),
+            ..entry("100 % of radius", RADIUS, LegendShape::Line)
+        },
     ];
     layout
         .with_legend_group("Shape: method", key.methods.iter().map(method).collect())

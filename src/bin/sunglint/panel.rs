@@ -23,7 +23,10 @@ pub const PAPER: &str = "#ffffff";
 /// Colour of the frontier.
 pub const STEP: &str = "#7a7a7a";
 const GRID: &str = "#e6e6e6";
-const RADIUS: &str = "#a06a00";
+pub const RADIUS: &str = "#a06a00";
+
+/// Dashes of that line.
+pub const RADIUS_DASHES: &str = "5 3";
 const STRIP: &str = "#999999";
 
 /// What is drawn on `layout`, from the back to the front.
@@ -122,10 +125,7 @@ fn theme() -> Theme {
 }
 
 fn radius_line(frame: &Frame) -> ReferenceLine {
-    ReferenceLine::horizontal(frame.radius)
-        .with_color(RADIUS)
-        .with_dasharray("5 3")
-        .with_label("100 %: the light's angular radius")
+    ReferenceLine::horizontal(frame.radius).with_color(RADIUS).with_dasharray(RADIUS_DASHES)
 }
 
 /// Corners from the top edge over the rows on the frontier to the right edge.
