@@ -23,7 +23,7 @@ pub fn nearest_in_disc(l: Vector, r: Vector, theta: f64) -> Vector {
     if angle_between(l, r) <= theta { scale(r, 1.0 / length(r)) } else { turn(l, r, theta) }
 }
 
-/// The exact value of the seed's formula, `P = l + D sat(x / |D|)` with `D = (l.r) r - l`, normalised; `l` where `P` is zero.
+/// The exact value of the representative point with the distance divided out, `P = l + D sat(x / |D|)` with `D = (l.r) r - l`, normalised; `l` where `P` is zero.
 ///
 /// In the plane of `l` and `r`, at the angle `a`, `D` is `sin(a)` long and `P` turns `l` by the angle whose tangent is
 /// `m cos(a) / (1 - m sin(a))`, `m` being the smaller of `x` and `sin(a)`.

@@ -12,7 +12,7 @@ use crate::real::Real;
 use crate::sphere::{DistantSphere, UnfactoredSphere};
 use crate::vec3::zip;
 
-/// Seed formula with its lengths: `C = (L.r) r - L`, `P = L + C sat(R / |C|)`, for `L` of the light's distance (Karis, 2013).
+/// The representative point with its lengths, as published: `C = (L.r) r - L`, `P = L + C sat(R / |C|)`, for `L` of the light's distance (Karis, 2013).
 ///
 /// For studies. A distance in kilometres overflows f16, whose answer is then NaN, and every fixed-point format, whose
 /// answer is then finite and meaningless. See [`factored`] for what it computes where it works.

@@ -109,7 +109,7 @@ fn opposite_directions_give_the_centre() {
     check::<fixed::types::I16F16>();
 }
 
-/// The seed's point falls into the origin where the sphere reaches from the light to the mirror ray's perpendicular.
+/// The representative point falls into the origin where the sphere reaches from the light to the mirror ray's perpendicular.
 #[test]
 fn factored_has_no_direction_at_a_right_angle_to_a_full_disc() {
     let (l, r) = (floats::<f64>([0.0, 0.0, 1.0]), floats([1.0, 0.0, 0.0]));
@@ -117,7 +117,7 @@ fn factored_has_no_direction_at_a_right_angle_to_a_full_disc() {
     assert_eq!(cap(l, r, &sphere(1.0)), r);
 }
 
-/// 0 times infinity, as the seed's formula has it for parallel directions.
+/// 0 times infinity, as the representative point has it for parallel directions.
 #[test]
 fn parallel_directions_and_a_point_light_give_the_light() {
     fn check<T: Real>() {
@@ -133,7 +133,7 @@ fn parallel_directions_and_a_point_light_give_the_light() {
     check::<I2F30>();
 }
 
-/// The seed's shift is perpendicular to the line of `r`, so that behind the surface it moves away from `r`.
+/// The representative point's shift is perpendicular to the line of `r`, so that behind the surface it moves away from `r`.
 #[test]
 fn factored_moves_away_from_rays_behind_the_light() {
     let theta = light(RATIO).angular_radius();

@@ -218,7 +218,7 @@ fn reflect_rounds_once_in_fixed_point() {
     }
 }
 
-/// The seed calls `reflect` with the surface-to-camera direction, which gives `-r`; its formula does not mind.
+/// The shader that the formula was published with calls `reflect` with the surface-to-camera direction, which gives `-r`; its formula does not mind.
 #[test]
 fn factored_is_even_in_the_mirror_direction() {
     let sphere = sunglint::DistantSphere::<f32>::new(&SUN);

@@ -6,7 +6,7 @@
 //! the budget, and not under a quarter of it.
 //!
 //! Excluded are pairs for which the formula has no one answer: `r` within one step of the format of `-l`, where all of the rim
-//! is as near (at the Sun `cap` holds there as well, f16 down to a tenth of a step), and the seed's point less than 0.1 long.
+//! is as near (at the Sun `cap` holds there as well, f16 down to a tenth of a step), and representative points less than 0.1 long.
 
 use super::format::Format;
 use super::lights::BUDGETED;
@@ -35,7 +35,7 @@ pub fn cap_rms_at_the_sun(format: Format) -> f64 {
     [4.6e-17, 1.4e-8, 1.8e-8, 1.1e-4, 2.3e-5, 4.5e-10, 5.7e-6][format as usize]
 }
 
-/// The seed's formula with its lengths. The Sun's distance in kilometres overflows f16 and fixed point; lights that are given by their ratio alone have distance 1.
+/// The representative point with its lengths. The Sun's distance in kilometres overflows f16 and fixed point; lights that are given by their ratio alone have distance 1.
 const EPIC: [Maxima; 6] = [
     [3.4e-16, 1.3e-7, 1.4e-7, FAILS, FAILS, FAILS, FAILS],
     [3.4e-16, 9.6e-8, 1.0e-7, 4.7e-4, 1.2e-4, 2.1e-9, 2.8e-5],
@@ -45,7 +45,7 @@ const EPIC: [Maxima; 6] = [
     [2.5e-15, 4.6e-7, 4.7e-7, 3.9e-3, 5.2e-4, 8.2e-9, 1.4e-4],
 ];
 
-/// The seed's formula with the distance divided out, where its point is at least 0.1 long.
+/// The representative point with the distance divided out, where it is at least 0.1 long.
 const FACTORED: [Maxima; 6] = [
     [3.1e-16, 1.2e-7, 1.2e-7, 7.7e-4, 1.2e-4, 2.1e-9, 3.1e-5],
     [3.4e-16, 9.6e-8, 1.0e-7, 4.7e-4, 1.2e-4, 2.1e-9, 2.8e-5],

@@ -68,7 +68,7 @@ impl Method {
         }
     }
 
-    /// Whether the formula's direction is well defined: the seed's point may fall into the origin, and beside `-l` every
+    /// Whether the formula's direction is well defined: the representative point may fall into the origin, and beside `-l` every
     /// direction of the rim is as near.
     pub fn is_defined(self, l: [f64; 3], r: [f64; 3], light: &DistantLight, epsilon: f64) -> bool {
         match self {
