@@ -9,39 +9,41 @@ use crate::real::{Float, Real};
 
 /// Karis's factor `(alpha / alpha')^2` with `alpha' = sat(alpha + x / 2)`; 1 for `alpha = x = 0`.
 ///
-/// The quotient is squared, not the widths: alpha squared is zero in narrow formats. Within 4 ULP in the float formats. In f16
-/// answers below 6e-5 are subnormal.
+/// The quotient is squared, not the widths: alpha squared is zero in narrow formats. Within 4 ULP in the float formats
+/// (`tests/highlight.rs`). In f16 answers below 6e-5 are subnormal.
 ///
 /// # Errors
 /// [`LightError::Alpha`] and [`LightError::Ratio`] where an argument is NaN or out of 0 to 1.
 pub fn karis<T: Float>(alpha: T, ratio: T) -> Result<T, LightError> {
-    let [zero, half, one] = [0.0, 0.5, 1.0].map(T::nearest);
     let alpha = checked(alpha)?;
-    if !(ratio >= zero && ratio <= one) {
+    let allowed = ratio >= T::WIDE_ZERO && ratio <= T::WIDE_ONE;
+    if !allowed {
         return Err(LightError::Ratio(ratio.exact()));
     }
-    let sum = alpha + ratio * half;
-    let widened = if sum > one { one } else { sum };
-    if widened == zero {
-        return Ok(one);
+    // Twice the widths, since half of a small ratio may have digits that f16 cannot hold.
+    let (width, two) = (alpha + alpha, T::WIDE_ONE + T::WIDE_ONE);
+    let sum = width + ratio;
+    let widened = if sum > two { two } else { sum };
+    if widened == T::WIDE_ZERO {
+        return Ok(T::WIDE_ONE);
     }
-    let quotient = alpha / widened;
+    let quotient = width / widened;
     Ok(quotient * quotient)
 }
 
 /// The exact small-angle energy of the representative point's highlight, inverted: `1 / (1 + (pi/2) t + t^2)` with
 /// `t = theta / (2 alpha)`; 1 for `theta = 0`, else 0 for `alpha = 0`.
 ///
-/// Within 4 ULP in the float formats. In f16 answers below 6e-5 are subnormal.
+/// Within 4 ULP in the float formats (`tests/highlight.rs`). In f16 answers below 6e-5 are subnormal.
 ///
 /// # Errors
-/// [`LightError::Alpha`] where `alpha` is NaN or out of 0 to 1; [`LightError::AngularRadius`] where `theta` is NaN or out of
-/// 0 to pi/2.
+/// [`LightError::Alpha`] where `alpha` is NaN or out of 0 to 1; [`LightError::SphereAngularRadius`] where `theta` is
+/// NaN or out of 0 to pi/2.
 pub fn exact_rp<T: Float>(alpha: T, theta: T) -> Result<T, LightError> {
-    let [zero, one, right] = [0.0, 1.0, FRAC_PI_2].map(T::nearest);
+    let (zero, one, right) = (T::WIDE_ZERO, T::WIDE_ONE, T::nearest(FRAC_PI_2));
     let alpha = checked(alpha)?;
     if !(theta >= zero && theta <= right) {
-        return Err(LightError::AngularRadius(theta.exact()));
+        return Err(LightError::SphereAngularRadius(theta.exact()));
     }
     if theta == zero {
         return Ok(one);
@@ -89,8 +91,8 @@ mod fixed_point {
     /// [`exact_rp`](super::exact_rp) in integers, I2F30 in and out. Within 1 LSB.
     ///
     /// # Errors
-    /// [`LightError::AlphaQ30`] where `alpha` is out of 0 to 1, [`LightError::AngularRadiusQ30`] where `theta` is negative or above
-    /// pi/2.
+    /// [`LightError::AlphaQ30`] where `alpha` is out of 0 to 1, [`LightError::AngularRadiusQ30`] where `theta` is
+    /// negative or above pi/2.
     pub fn exact_rp_q30(alpha: I2F30, theta: I2F30) -> Result<I2F30, LightError> {
         let alpha = unit(alpha).map_err(LightError::AlphaQ30)?;
         let theta = match u128::try_from(theta.to_bits()) {

@@ -1,9 +1,9 @@
-//! Light a surface by the Sun, or by any distant sphere, in the arithmetic that the machine has: fixed point on a chip without
-//! an FPU, half floats on a phone GPU, f32, f64.
+//! Light a surface by the Sun, or by any distant sphere, in the arithmetic that the machine has: fixed point on a
+//! chip without an FPU, half floats on a phone GPU, f32, f64.
 //!
 //! A distant sphere needs no position, only radius over distance. This crate turns that ratio into constants once
-//! ([`DistantSphere`]), and with them every pixel into the direction to shade with ([`cap`]), so that the highlight has the light's
-//! size. It does nothing else that a scene has: no camera, no geometry, no colour.
+//! ([`DistantSphere`]), and with them every pixel into the direction to shade with ([`cap`]), so that the highlight
+//! has the light's size. It does nothing else that a scene has: no camera, no geometry, no colour.
 //!
 //! ```
 //! use sunglint::{DistantSphere, SUN, cap, reflect};
@@ -20,25 +20,30 @@
 //!
 //! | type | lanes | scalars and constants | worst error of [`cap`] at the Sun | light quantities |
 //! |---|---|---|---|---|
-//! | `f64`, `f32` | as they are | the same | 2.5e-16, 5.4e-8 rad | 0.51 ULP (f32) |
-//! | `micromath::F32` | f32 | the same | 7.5e-8 rad | 0.51 ULP |
-//! | `half::f16` | f16, subnormals not needed | the same | 4.4e-4 rad | 0.8 ULP |
-//! | `fixed` I2F14 | Q14 in 16 bits | Q28 in 32 | 5.8e-5 rad | 1 LSB of U16F48, U52F12 |
-//! | `fixed` I2F30 | Q30 in 32 bits | Q60 in 64 | 1.4e-9 rad | the same |
-//! | `fixed` I16F16 | Q16 in 32 bits | Q32 in 64 | 1.5e-5 rad | the same |
+//! | f64 | as they are | the same | 2.5e-16 rad | 0.51 ULP |
+//! | f32 | as they are | the same | 5.4e-8 rad | 0.51 ULP |
+//! | micromath | f32 | the same | 7.5e-8 rad | 0.51 ULP |
+//! | f16 | f16, subnormals not needed | the same | 4.4e-4 rad | 0.8 ULP |
+//! | I2F14 | Q14 in 16 bits | Q28 in 32 | 5.8e-5 rad | 1 LSB of U16F48, U52F12 |
+//! | I2F30 | Q30 in 32 bits | Q60 in 64 | 1.4e-9 rad | the same |
+//! | I16F16 | Q16 in 32 bits | Q32 in 64 | 1.5e-5 rad | the same |
 //!
-//! All live in one build; a format is a type, and a formula is written once over [`Real`]. [`raw`] takes and gives bits.
+//! All live in one build; a format is a type, and a formula is written once over [`Real`]. [`raw`] takes and gives
+//! bits. The types come from the crates [`fixed`], [`half`] and [`micromath`], which are re-exported. f64 and f32
+//! take their square root from libm, whose version for no_std is software, on chips with a root instruction too.
 //!
 //! # Overflow
 //!
-//! Nothing panics. A light that cannot be is a [`LightError`] with the value and the range. Per pixel, vectors are expected
-//! at unit length, give or take what rounding does; lengths up to 1.4 never overflow any format. Beyond that fixed point wraps or
-//! saturates to a meaningless direction. NaN and infinities have the answers that each function documents.
+//! Nothing panics. A light that cannot be is a [`LightError`] with the value and the range. Per pixel, vectors are
+//! expected at unit length, give or take what rounding does; lengths up to 1.16 never overflow any format. Beyond
+//! that fixed point wraps or saturates to a meaningless direction. NaN and infinities have the answers that each
+//! function documents.
 //!
 //! # Features
 //!
-//! `fixed`, `half` and `micromath` (all on) bring the formats of the crates of those names. None changes a result. `oracle` adds the
-//! f64 truth and the lists that tests and study share, without the standard library; `study` the host tool.
+//! `fixed`, `half` and `micromath` (all on) bring the formats of the crates of those names. None changes a result.
+//! `oracle` adds the f64 truth and the lists that tests and study share, without the standard library; `study` the
+//! host tool.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -60,6 +65,13 @@ pub mod sphere;
 #[cfg(feature = "oracle")]
 pub mod trial;
 mod vec3;
+
+#[cfg(feature = "fixed")]
+pub use fixed;
+#[cfg(feature = "half")]
+pub use half;
+#[cfg(feature = "micromath")]
+pub use micromath;
 
 pub use light::{DistantLight, LightError, SUN};
 pub use real::{Float, Real};

@@ -20,7 +20,7 @@ pub const ASTRONOMICAL_UNIT_KM: f64 = 149_597_870.7;
 /// A light at a distance that no movement in the scene changes: a sphere of which only the angle counts.
 ///
 /// Holds the sine, cosine and versine (`1 - cos`) of the angular radius in f64, each within four units in the
-/// last place, and is built in constants as well as at run time:
+/// last place (`tests/light.rs`), and is built in constants as well as at run time:
 ///
 /// ```
 /// use sunglint::DistantLight;
@@ -95,7 +95,7 @@ impl DistantLight {
     }
 
     const fn sphere(sin: f64, radius: f64, distance: f64) -> Self {
-        // Neither 1 - x^2 nor 1 - cos is formed by a subtraction that cancels, and 1 - x not from an x that was rounded.
+        // Neither 1 - x^2 nor 1 - cos is formed by a subtraction that cancels, nor 1 - x from an x that was rounded.
         let cos = constant::sqrt((distance - radius) / distance * (1.0 + sin));
         Self { sin, cos, versine: sin * sin / (1.0 + cos), radius, distance }
     }
@@ -151,6 +151,8 @@ pub enum LightError {
     Angle(f64),
     /// The angular radius is not within 0 to pi radians.
     AngularRadius(f64),
+    /// The angular radius of a sphere is not within 0 to pi/2 radians.
+    SphereAngularRadius(f64),
     /// The angular radius in raw Q30 bits is not within 0 to pi/2.
     AngularRadiusQ30(i32),
     /// The radius is negative, NaN or greater than the distance.
@@ -162,7 +164,7 @@ pub enum LightError {
     },
     /// The distance is not positive and finite.
     Distance(f64),
-    /// A distance in raw bits of a fixed-point format is negative.
+    /// A distance in raw bits of a fixed-point format is not positive.
     DistanceBits(i32),
     /// The intensity is negative, NaN or infinite.
     Intensity(f64),
@@ -181,6 +183,9 @@ impl fmt::Display for LightError {
             Self::RatioQ30(bits) => write!(f, "radius over distance is {bits} in Q30, allowed is 0 to {}", 1 << 30),
             Self::Angle(value) => write!(f, "angle is {value} degrees, allowed is 0 to 360"),
             Self::AngularRadius(value) => write!(f, "angular radius is {value} radians, allowed is 0 to pi"),
+            Self::SphereAngularRadius(value) => {
+                write!(f, "angular radius of a sphere is {value} radians, allowed is 0 to pi/2")
+            }
             Self::AngularRadiusQ30(bits) => {
                 write!(f, "angular radius is {bits} in Q30, allowed is 0 to 1686629713 (pi/2)")
             }
@@ -188,7 +193,7 @@ impl fmt::Display for LightError {
                 write!(f, "radius is {radius}, allowed is 0 to the distance {distance}")
             }
             Self::Distance(value) => write!(f, "distance is {value}, allowed is any positive finite number"),
-            Self::DistanceBits(bits) => write!(f, "distance is {bits} in raw bits, allowed is 0 to {}", i32::MAX),
+            Self::DistanceBits(bits) => write!(f, "distance is {bits} in raw bits, allowed is 1 to {}", i32::MAX),
             Self::Intensity(value) => write!(f, "intensity is {value}, allowed is any finite number from 0"),
             Self::Alpha(value) => write!(f, "alpha is {value}, allowed is 0 to 1"),
             Self::AlphaQ30(bits) => write!(f, "alpha is {bits} in Q30, allowed is 0 to {}", 1 << 30),

@@ -10,29 +10,22 @@
 //! | small sphere's radiance | `E = (d/R)^2` | [`white_radiance`] | [`white_radiance_q30`], U52F12 |
 //! | radius that looks like the Sun | `d` times the Sun's ratio | [`sun_radius_at`] | [`sun_radius_at_q16`], I16F16 |
 //!
-//! `x` is radius over distance. The functions here take it in the format and stay in the format's own arithmetic; they
-//! cover lights up to half the sky. [`DistantLight`] has the same quantities in f64, also in constants, for every angle up
-//! to 360 degrees and so with sizeFactor's third branch.
+//! `x` is radius over distance. The functions here take it in the format and stay in the format's own arithmetic;
+//! they cover lights up to half the sky. [`DistantLight`] has the same quantities in f64, also in constants, for
+//! every angle up to 360 degrees and so with sizeFactor's third branch.
 //!
-//! Error: at most 0.51 units in the last place in f64, f32 and micromath and 0.8 in f16 (2 in [`sun_radius_at`]); 6 in f64 for a
-//! [`DistantLight`]; 1 unit of the last place in fixed point, but 2 for [`DistantLight::inverse_size_factor_q12`]. The
-//! fixed-point formats have 64 bits because no 32-bit format covers sizeFactor from `x = 1e-6` (3.1e-12) to 1 (pi): U16F48 is
-//! 0.06 % coarse at the small end, U52F12 0.08 % at the other.
+//! Error, asserted in `tests/normalization.rs` for ratios from 1e-6 (below 1e-17 f32's squares lose digits): at most
+//! 0.51 units in the last place in f64, f32 and micromath and 0.8 in f16, but 2 in [`sun_radius_at`] and 3 in f16's
+//! [`radiance`]; 6 in f64 for a [`DistantLight`]; 1 unit of the last place in fixed point, but 2 for
+//! [`DistantLight::inverse_size_factor_q12`]. The fixed-point formats have 64 bits because no 32-bit format covers
+//! sizeFactor from `x = 1e-6` (3.1e-12) to 1 (pi): U16F48 is 0.06 % coarse at the small end, U52F12 0.08 % at the
+//! other.
 
 use core::f64::consts::PI;
 
 use crate::light::{ASTRONOMICAL_UNIT_KM, DistantLight, LightError, SOLAR_RADIUS_KM};
 use crate::pair::Pair;
 use crate::real::{Float, Real};
-
-/// Pi, as its nearest f64 and what that lacks.
-const PI_PAIR: [f64; 2] = [PI, 1.224_646_799_147_353_2e-16];
-
-/// Twice that.
-const TWICE_PI: [f64; 2] = [2.0 * PI, 2.449_293_598_294_706_4e-16];
-
-/// One over pi.
-const INVERSE_PI: [f64; 2] = [core::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17];
 
 /// The Sun's radius over its distance from Earth, from the figures of [`SUN`](crate::SUN).
 const SUN_RATIO: f64 = SOLAR_RADIUS_KM / ASTRONOMICAL_UNIT_KM;
@@ -43,7 +36,8 @@ impl DistantLight {
         2.0 * PI * self.versine()
     }
 
-    /// UsdLux `sizeFactor` in steradians: 1 for a point at infinity, `pi sin^2` up to half the sky, `pi (2 - sin^2)` beyond.
+    /// UsdLux `sizeFactor` in steradians: 1 for a point at infinity, `pi sin^2` up to half the sky, `pi (2 - sin^2)`
+    /// beyond.
     ///
     /// Radiance times this is the illuminance of a plane that faces the light; beyond half the sky counting both
     /// sides of the plane.
@@ -59,17 +53,19 @@ impl DistantLight {
         }
     }
 
-    /// Radiance of a light that is normalised to give `intensity` as illuminance, whatever its size: `intensity / sizeFactor`.
+    /// Radiance of a light that is normalised to give `intensity` as illuminance, whatever its size: `intensity /
+    /// sizeFactor`.
     ///
     /// # Errors
-    /// [`LightError::Intensity`] where `intensity` is negative, NaN or infinite; [`LightError::Overflow`] where the answer is
-    /// infinite.
+    /// [`LightError::Intensity`] where `intensity` is negative, NaN or infinite; [`LightError::Overflow`] where the
+    /// answer is infinite.
     pub const fn radiance(&self, intensity: f64) -> Result<f64, LightError> {
         if !(intensity >= 0.0 && intensity <= f64::MAX) {
             return Err(LightError::Intensity(intensity));
         }
-        let radiance = intensity / self.size_factor();
-        if radiance > f64::MAX { Err(LightError::Overflow("f64")) } else { Ok(radiance) }
+        // A sizeFactor that has underflowed would make this 0 / 0.
+        let radiance = if intensity == 0.0 { 0.0 } else { intensity / self.size_factor() };
+        if radiance <= f64::MAX { Ok(radiance) } else { Err(LightError::Overflow("f64")) }
     }
 
     /// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white.
@@ -89,7 +85,7 @@ impl DistantLight {
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
 pub fn versine<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    Ok(versine_of(ratio, [1.0, 0.0]))
+    Ok(versine_of(ratio, [T::WIDE_ONE, T::WIDE_ZERO]))
 }
 
 /// Solid angle `2 pi w` in steradians.
@@ -98,7 +94,7 @@ pub fn versine<T: Float>(ratio: T) -> Result<T, LightError> {
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
 pub fn solid_angle<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
-    Ok(versine_of(ratio, TWICE_PI))
+    Ok(versine_of(ratio, T::TWICE_PI))
 }
 
 /// UsdLux `sizeFactor` of a sphere, in steradians: 1 for `x = 0`, else `pi x^2`.
@@ -111,29 +107,30 @@ pub fn size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
         return Ok(T::WIDE_ONE);
     }
     let (square, scale) = scaled_square(ratio);
-    Ok(square.times(Pair::constant(PI_PAIR)).rounded() / (scale * scale))
+    Ok(square.times(Pair::constant(T::PI)).rounded() / (scale * scale))
 }
 
 /// `1 / sizeFactor`: 1 for `x = 0`, else `1 / (pi x^2)`.
 ///
 /// # Errors
-/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is infinite, in f16
-/// up to `x = 2.203e-3`.
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is
+/// infinite, in f16 up to `x = 2.203e-3`.
 pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
     if ratio == T::WIDE_ZERO {
         return Ok(T::WIDE_ONE);
     }
-    inverse(Pair::constant(INVERSE_PI), ratio)
+    inverse(Pair::constant(T::INVERSE_PI), ratio)
 }
 
-/// Radiance of a sphere that is normalised to give `intensity` as illuminance: `intensity / (pi x^2)`; `intensity` for `x = 0`.
+/// Radiance of a sphere that is normalised to give `intensity` as illuminance: `intensity / (pi x^2)`; `intensity`
+/// for `x = 0`.
 ///
 /// In f16 within 3 ULP for intensities from 0.001; below 2e-4 a third of the intensity is subnormal.
 ///
 /// # Errors
-/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Intensity`] where `intensity` is negative, NaN or
-/// infinite; [`LightError::Overflow`] where the answer is infinite, in f16 from 65 000 on.
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Intensity`] where `intensity` is
+/// negative, NaN or infinite; [`LightError::Overflow`] where the answer is infinite, in f16 from 65 000 on.
 pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
     let zero = T::WIDE_ZERO;
@@ -141,26 +138,27 @@ pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
     if !allowed {
         return Err(LightError::Intensity(intensity.exact()));
     }
-    if ratio == zero {
+    if ratio == zero || intensity == zero {
         return Ok(intensity);
     }
-    inverse(Pair { high: intensity, low: zero }.over(Pair::constant(PI_PAIR)), ratio)
+    inverse(Pair { high: intensity, low: zero }.over(Pair::constant(T::PI)), ratio)
 }
 
 /// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white.
 ///
 /// # Errors
-/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is infinite: for 0, and in
-/// f16 up to 1/256.
+/// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is
+/// infinite: for 0, and in f16 up to 1/256.
 pub fn white_radiance<T: Float>(ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
     if ratio == T::WIDE_ZERO {
         return Err(LightError::Overflow(T::FORMAT));
     }
-    inverse(Pair::constant([1.0, 0.0]), ratio)
+    inverse(Pair::constant([T::WIDE_ONE, T::WIDE_ZERO]), ratio)
 }
 
-/// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit: `distance` times 695 700 / 149 597 870.7.
+/// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit: `distance` times 695 700
+/// / 149 597 870.7.
 ///
 /// # Errors
 /// [`LightError::Distance`] where `distance` is not positive and finite.
@@ -175,12 +173,12 @@ pub fn sun_radius_at<T: Float>(distance: T) -> Result<T, LightError> {
 
 /// `(s x)^2` and the scale `s`, which keeps the squares of small ratios from being subnormal in f16.
 fn scaled_square<T: Float>(ratio: T) -> (Pair<T>, T) {
-    let scale = if ratio < T::nearest(0.125) { T::nearest(T::SCALE) } else { T::WIDE_ONE };
+    let scale = if ratio < T::nearest(0.125) { T::SCALE } else { T::WIDE_ONE };
     (Pair::product(ratio * scale, ratio * scale), scale)
 }
 
 /// `factor w`.
-fn versine_of<T: Float>(ratio: T, factor: [f64; 2]) -> T {
+fn versine_of<T: Float>(ratio: T, factor: [T; 2]) -> T {
     let (square, scale) = scaled_square(ratio);
     let cos = cosine(ratio);
     let one_plus_cos = Pair::sum(T::WIDE_ONE, cos.high);

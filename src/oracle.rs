@@ -1,12 +1,14 @@
 //! The truth in f64, from the definitions: angles by `atan2`, rotations, and integrals summed by Simpson's rule.
 //!
-//! Shares no code with what it judges. `tests/oracle.rs` holds it against 192-bit arithmetic: directions are within 5e-16 rad.
+//! Shares no code with what it judges. `tests/oracle.rs` holds it against 192-bit arithmetic: directions are within
+//! 5e-16 rad.
 
 use core::f64::consts::PI;
 
 type Vector = [f64; 3];
 
-/// The angle between two vectors of any length, in radians, to full precision for small angles too.
+/// The angle between two vectors of any length, in radians, to full precision for small angles too; 0 for a zero
+/// vector.
 pub fn angle_between(a: Vector, b: Vector) -> f64 {
     libm::atan2(length(cross(a, b)), dot(a, b))
 }
@@ -16,14 +18,16 @@ pub fn angular_radius(ratio: f64) -> f64 {
     libm::atan2(ratio, libm::sqrt((1.0 - ratio) * (1.0 + ratio)))
 }
 
-/// The nearest direction to `r` within `theta` of `l`: `l` turned toward `r` by the angle between them, at most by `theta`.
+/// The nearest direction to `r` within `theta` of `l`: `l` turned towards `r` by the angle between them, at most by
+/// `theta`.
 ///
 /// At `r = -l` it is `l`. Lengths do not matter; the answer has length 1.
 pub fn nearest_in_disc(l: Vector, r: Vector, theta: f64) -> Vector {
     if angle_between(l, r) <= theta { scale(r, 1.0 / length(r)) } else { turn(l, r, theta) }
 }
 
-/// The exact value of the representative point with the distance divided out, `P = l + D sat(x / |D|)` with `D = (l.r) r - l`, normalised; `l` where `P` is zero.
+/// The exact value of the representative point with the distance divided out, `P = l + D sat(x / |D|)` with `D =
+/// (l.r) r - l`, normalised; `l` where `P` is zero.
 ///
 /// In the plane of `l` and `r`, at the angle `a`, `D` is `sin(a)` long and `P` turns `l` by the angle whose tangent is
 /// `m cos(a) / (1 - m sin(a))`, `m` being the smaller of `x` and `sin(a)`.
@@ -67,8 +71,8 @@ pub fn sphere_power(radius: f64) -> f64 {
     area * illuminance(PI / 2.0)
 }
 
-/// The normalisation quantities of a sphere in closed form, through the angle: for judging narrow formats to their last place.
-/// `tests/oracle.rs` holds the integrals against them.
+/// The normalisation quantities of a sphere in closed form, through the angle: for judging narrow formats to their
+/// last place. `tests/oracle.rs` holds them against 192 bits.
 pub mod closed {
     use super::{PI, angular_radius};
 
@@ -102,7 +106,7 @@ fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     (0..=INTERVALS).map(|i| weight(i) * f(from + step * f64::from(i))).sum::<f64>() * step / 3.0
 }
 
-/// `l` turned by `angle` toward `r`, at length 1; `l` where the two are parallel.
+/// `l` turned by `angle` towards `r`, at length 1; `l` where the two are parallel.
 fn turn(l: Vector, r: Vector, angle: f64) -> Vector {
     let axis = cross(l, r);
     let toward = cross(axis, l);
@@ -126,8 +130,8 @@ fn difference(a: f64, b: f64, c: f64, d: f64) -> f64 {
     libm::fma(a, b, -cd) + lost
 }
 
-/// The dot product with the rounding of every product and sum put back at the end, so that it is right to the last places
-/// however much cancels (Ogita, Rump and Oishi, 2005).
+/// The dot product with the rounding of every product and sum put back at the end, so that it is right to the last
+/// places however much cancels (Ogita, Rump and Oishi, 2005).
 fn dot(a: Vector, b: Vector) -> f64 {
     let (mut sum, mut lost) = (0.0, 0.0);
     for i in 0..3 {

@@ -1,5 +1,5 @@
-//! The unevaluated sum of two floats, for the few quantities of a light that are computed once and should be right to the last
-//! place. Dekker's arithmetic, which needs no fused multiply-add.
+//! The unevaluated sum of two floats, for the few quantities of a light that are computed once and should be right to
+//! the last place. Dekker's arithmetic, which needs no fused multiply-add.
 
 use crate::real::{Float, Real};
 
@@ -11,10 +11,9 @@ pub(crate) struct Pair<T> {
 }
 
 impl<T: Float> Pair<T> {
-    /// A constant given as its nearest f64 and what that lacks.
-    pub(crate) fn constant([value, low]: [f64; 2]) -> Self {
-        let high = T::nearest(value);
-        Self { high, low: T::nearest((value - high.exact()) + low) }
+    /// A constant given as its nearest number and what that lacks.
+    pub(crate) fn constant([high, low]: [T; 2]) -> Self {
+        Self { high, low }
     }
 
     /// Both parts times a power of two.
@@ -68,10 +67,10 @@ impl<T: Float> Pair<T> {
 /// `a`, which must not be negative, cut into two halves of at most half its digits each.
 fn halves<T: Float>(a: T) -> [T; 2] {
     // Large numbers have no room above them to be cut in place.
-    let room = T::nearest(2.0 * (T::SPLITTER - 1.0));
+    let room = (T::SPLITTER - T::WIDE_ONE) * (T::WIDE_ONE + T::WIDE_ONE);
     let unit = if a > room { room } else { T::WIDE_ONE };
     let small = a / unit;
-    let scaled = small * T::nearest(T::SPLITTER);
+    let scaled = small * T::SPLITTER;
     let high = scaled - (scaled - small);
     [high * unit, (small - high) * unit]
 }

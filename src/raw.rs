@@ -1,11 +1,12 @@
 //! Raw bits in, raw bits out: for consoles and firmware whose fixed-point type is their own.
 //!
-//! Vectors are `[i16; 3]` in Q14 (16384 is 1) or `[i32; 3]` in Q30 (1073741824 is 1). Each function is the one of the same name in
-//! [`specular`], in integers to the end.
+//! Vectors are `[i16; 3]` in Q14 (16384 is 1) or `[i32; 3]` in Q30 (1073741824 is 1), of length 1 give or take a
+//! rounding; up to 1.16 nothing overflows. Each function is the one of the same name in [`specular`], in integers to
+//! the end, with that function's formula, special cases and error; `tests/raw.rs` holds the two to the same bits.
 
 use fixed::types::{I2F14, I2F30};
 
-use crate::light::SUN;
+use crate::light::{LightError, SUN};
 use crate::specular;
 use crate::sphere::DistantSphere;
 use crate::vec3::each;
@@ -21,6 +22,24 @@ pub const SUN_Q14: SphereQ14 = SphereQ14::new(&SUN);
 
 /// [`SUN`] for Q30 vectors.
 pub const SUN_Q30: SphereQ30 = SphereQ30::new(&SUN);
+
+/// The constants of a sphere whose radius over distance is `ratio` in Q30, for Q14 vectors: for a lamp that moves, in
+/// integers.
+///
+/// # Errors
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to `2^30`.
+pub fn sphere_q14(ratio: i32) -> Result<SphereQ14, LightError> {
+    SphereQ14::from_ratio_q30(I2F30::from_bits(ratio))
+}
+
+/// The constants of a sphere whose radius over distance is `ratio` in Q30, for Q30 vectors: for a lamp that moves, in
+/// integers.
+///
+/// # Errors
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to `2^30`.
+pub fn sphere_q30(ratio: i32) -> Result<SphereQ30, LightError> {
+    SphereQ30::from_ratio_q30(I2F30::from_bits(ratio))
+}
 
 /// [`cap`](specular::cap) in Q14. Worst error at the Sun 5.8e-5 rad, the step of Q14 being 6.1e-5.
 pub fn cap_q14(l: [i16; 3], r: [i16; 3], light: &SphereQ14) -> [i16; 3] {

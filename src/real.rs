@@ -16,20 +16,19 @@ pub use float::Float;
 
 use core::fmt::Debug;
 
+/// Cosine of 44.4 degrees, a disc of ratio 0.7: see [`Real::STEEP`].
+pub(crate) const STEEP_COSINE: f64 = 0.714;
+
 /// A number format in which directions are held and lit.
 ///
 /// Lanes of unit vectors are of the type itself. Scalars that come from products of lanes (dot products, squares) and
 /// the constants of a light are [`Real::Wide`]: the type itself for floats, twice the fraction bits for fixed point.
 ///
 /// The trait is open: a study or a test may bring a format of its own. No method panics, and vectors of length up to
-/// 1.4 never overflow.
+/// 1.16 never overflow.
 pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// Scalars of products: `f32` for `f32`, Q28 in an `i32` for I2F14, Q60 in an `i64` for I2F30.
     type Wide: Copy + PartialOrd + Debug + 'static;
-
-    /// A power of two by which lengths are scaled before they are squared, so that the square of a light's radius stays a
-    /// normal number: 64 in f16, else 1.
-    const SQUARE_SCALE: f64 = 1.0;
 
     /// Name of the format, as tables and charts print it.
     const NAME: &'static str;
@@ -46,8 +45,8 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// The greatest finite scalar.
     const WIDE_MAX: Self::Wide;
 
-    /// Between these two cosines of the angular radius, about -0.714 and 0.714, a disc's rim is told by its cosine; beyond them
-    /// the sine is the better conditioned.
+    /// Between these two cosines of the angular radius, about -0.714 and 0.714, a disc's rim is told by its cosine;
+    /// beyond them the sine is the better conditioned.
     const STEEP: [Self::Wide; 2];
 
     /// The nearest value of the format; a value out of range gives the nearest end (infinity for floats).
@@ -71,7 +70,7 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// `2 a`, wrapping in fixed point.
     fn twice(a: Self::Wide) -> Self::Wide;
 
-    /// `a x - b y` lane by lane; fixed point rounds once.
+    /// `a x - b y` lane by lane; fixed point rounds once, after I2F30's scalars have been rounded to Q31.
     fn diff(a: Self::Wide, x: [Self; 3], b: Self::Wide, y: [Self; 3]) -> [Self; 3];
 
     /// `v` times a power of two, exactly, so that what is subtracted from `v` next is rounded relative to its size;
@@ -80,8 +79,11 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
         (v, 0)
     }
 
-    /// The squared length times [`Real::SQUARE_SCALE`] squared.
+    /// The squared length, in f16 times 64 squared, so that the square of a light's radius stays a normal number.
     fn square(v: [Self; 3]) -> Self::Wide;
+
+    /// The square of a constant length, as [`Real::square`] would give it.
+    fn square_of(length: f64) -> Self::Wide;
 
     /// Whether `square`, taken of a vector magnified by `2^exponent`, is at most `limit`.
     fn within(square: Self::Wide, exponent: u32, limit: Self::Wide) -> bool;

@@ -23,8 +23,8 @@ pub(crate) fn reciprocal_root(m: u32) -> u32 {
     let product = u64::from(m) * square + square / 2;
     // The residual is under 2^-11, hence in Q42 a number of 31 bits.
     let residual = ((1_i64 << 62).wrapping_sub(product as i64)) >> 20;
-    let square = residual.wrapping_mul(residual) >> 42;
-    let correction = (residual / 2).wrapping_add(square.wrapping_mul(3) >> 3);
+    let residual_square = residual.wrapping_mul(residual) >> 42;
+    let correction = (residual / 2).wrapping_add(residual_square.wrapping_mul(3) >> 3);
     let fine = i64::from(seed).wrapping_mul(correction).wrapping_add(1 << 25) >> 26;
     let root = (i64::from(seed) << 16).wrapping_add(fine);
     u32::try_from(root).unwrap_or(u32::MAX)

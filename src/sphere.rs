@@ -6,8 +6,8 @@ use crate::real::{Float, Real};
 
 /// What the direction methods need of a light, rounded into the format `T`.
 ///
-/// Floats hold each constant rounded to nearest. Fixed point holds them with twice its fraction bits: Q28 for I2F14, Q60
-/// for I2F30, Q32 for I16F16.
+/// Floats hold each constant rounded to nearest. Fixed point holds them with twice its fraction bits: Q28 for I2F14,
+/// Q60 for I2F30 (to f64's 53 digits, unless made from a ratio in Q30), Q32 for I16F16. `tests/light.rs` asserts it.
 ///
 /// ```
 /// use fixed::types::I2F14;
@@ -30,7 +30,7 @@ impl<T: Real> DistantSphere<T> {
     pub fn of(light: &DistantLight) -> Self {
         Self {
             sin: T::wide(light.sin()),
-            sin_square: square_of::<T>(light.sin()),
+            sin_square: T::square_of(light.sin()),
             cos: T::wide(least_cosine(light)),
             versine: T::wide(light.versine()),
         }
@@ -46,8 +46,8 @@ impl<T: Real> DistantSphere<T> {
         self.sin_square
     }
 
-    /// Least cosine of a direction inside the disc: the cosine of the angular radius, or -2 for the full sphere, in which
-    /// also directions lie whose dot product is a rounding below -1.
+    /// Least cosine of a direction inside the disc: the cosine of the angular radius, or -2 for the full sphere, in
+    /// which also directions lie whose dot product is a rounding below -1.
     pub fn cos(&self) -> T::Wide {
         self.cos
     }
@@ -66,7 +66,7 @@ impl<T: Float> DistantSphere<T> {
     /// [`LightError::Ratio`] for NaN, negative values and values above 1.
     pub fn from_ratio(ratio: T) -> Result<Self, LightError> {
         let versine = normalization::versine(ratio)?;
-        let scaled = ratio * T::nearest(T::SCALE);
+        let scaled = ratio * T::SCALE;
         let cos = normalization::cosine(ratio).rounded();
         Ok(Self { sin: ratio, sin_square: scaled * scaled, cos, versine })
     }
@@ -74,11 +74,6 @@ impl<T: Float> DistantSphere<T> {
 
 const fn least_cosine(light: &DistantLight) -> f64 {
     if light.versine() >= 2.0 { -2.0 } else { light.cos() }
-}
-
-fn square_of<T: Real>(length: f64) -> T::Wide {
-    let scaled = length * T::SQUARE_SCALE;
-    T::wide(scaled * scaled)
 }
 
 /// What [`epic`](crate::epic) needs of a light: radius and distance, not divided by each other.
@@ -95,7 +90,7 @@ impl<T: Real> UnfactoredSphere<T> {
     pub fn of(light: &DistantLight) -> Self {
         Self {
             radius: T::wide(light.radius()),
-            radius_square: square_of::<T>(light.radius()),
+            radius_square: T::square_of(light.radius()),
             distance: T::wide(light.distance()),
         }
     }
@@ -137,7 +132,7 @@ constants_of!(f32, to_f32, 1.0);
 #[cfg(feature = "micromath")]
 constants_of!(micromath::F32, to_micromath, 1.0);
 #[cfg(feature = "half")]
-constants_of!(half::f16, crate::real::half::nearest, <half::f16 as Float>::SCALE);
+constants_of!(half::f16, crate::real::half::nearest, crate::real::half::SQUARE_SCALE);
 
 #[cfg(feature = "fixed")]
 mod fixed_point {

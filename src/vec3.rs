@@ -1,4 +1,5 @@
-//! Three lanes, written out: an index in a closure would bring a bounds check, and `array::map` a loop, into small firmware.
+//! Three lanes, written out: an index in a closure would bring a bounds check, and `array::map` a loop, into small
+//! firmware.
 
 /// `f` of each lane.
 #[inline(always)]

@@ -15,6 +15,10 @@ fn flush<const SCALED: bool>(value: f16) -> Flushing<SCALED> {
     Flushing(if subnormal { f16::ZERO } else { value })
 }
 
+const fn pair<const SCALED: bool>([a, b]: [f16; 2]) -> [Flushing<SCALED>; 2] {
+    [Flushing(a), Flushing(b)]
+}
+
 impl<const SCALED: bool> Add for Flushing<SCALED> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
@@ -48,10 +52,13 @@ impl<const SCALED: bool> Float for Flushing<SCALED> {
     const ZERO: Self = Self(<f16 as Float>::ZERO);
     const ONE: Self = Self(<f16 as Float>::ONE);
     const MAX: Self = Self(<f16 as Float>::MAX);
-    const STEEP: [Self; 2] = [Self(<f16 as Float>::STEEP[0]), Self(<f16 as Float>::STEEP[1])];
-    const SCALE: f64 = if SCALED { <f16 as Float>::SCALE } else { 1.0 };
-    const SAFE_SQUARE: [f64; 2] = <f16 as Float>::SAFE_SQUARE;
-    const SPLITTER: f64 = <f16 as Float>::SPLITTER;
+    const STEEP: [Self; 2] = pair(<f16 as Float>::STEEP);
+    const SCALE: Self = Self(if SCALED { <f16 as Float>::SCALE } else { <f16 as Float>::ONE });
+    const SAFE_SQUARE: [Self; 2] = pair(<f16 as Float>::SAFE_SQUARE);
+    const SPLITTER: Self = Self(<f16 as Float>::SPLITTER);
+    const PI: [Self; 2] = pair(<f16 as Float>::PI);
+    const TWICE_PI: [Self; 2] = pair(<f16 as Float>::TWICE_PI);
+    const INVERSE_PI: [Self; 2] = pair(<f16 as Float>::INVERSE_PI);
 
     fn nearest(value: f64) -> Self {
         flush(f16::nearest(value))
@@ -70,14 +77,12 @@ impl<const SCALED: bool> Float for Flushing<SCALED> {
     }
 }
 
-/// Scene S at 1.5 times the Sun's radius: where the answer lies, in radii.
+/// The catalogue's scene at 1.5 times the radius of a Sun of ratio 0.00465: where the answer lies, in radii.
 fn turn<T: Real>() -> f64 {
     let light = sunglint::DistantLight::from_ratio(0.00465).unwrap();
     let theta = light.angular_radius();
-    let l = [1.0, 2.0, 3.0].map(|lane: f64| lane / 14_f64.sqrt());
-    let aside = [3.0, 0.0, -1.0].map(|lane: f64| lane / 10_f64.sqrt());
-    let r = [0, 1, 2].map(|i| (1.5 * theta).cos() * l[i] + (1.5 * theta).sin() * aside[i]);
-    let (l, r) = (l.map(T::from_f64), r.map(T::from_f64));
+    let pair = input::scene(1.5 * theta);
+    let (l, r) = (pair.l.map(T::from_f64), pair.r.map(T::from_f64));
     let answer = cap(l, r, &DistantSphere::<T>::of(&light));
     oracle::angle_between(l.map(T::to_f64), answer.map(T::to_f64)) / theta
 }

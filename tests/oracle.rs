@@ -4,7 +4,7 @@ mod exact;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use exact::{Big, assert_tight, big, cosine, distance, last_place, pi, spread, square, worst};
+use exact::{Big, assert_tight, big, cosine, distance, last_place, pi, spread, square, ulps, versine, worst};
 use sunglint::trial::input::{self, Pair};
 use sunglint::trial::lights::BUDGETED;
 use sunglint::{DistantLight, oracle};
@@ -207,7 +207,8 @@ fn normalised_light_gives_its_intensity() {
     assert_tight("property 1, relative", worst(errors), 1e-13);
 }
 
-/// Property 2: a sphere of constant power gives the same illuminance whatever its size, sizeFactor being in proportion to its area.
+/// Property 2: a sphere of constant power gives the same illuminance whatever its size, sizeFactor being in
+/// proportion to its area.
 #[test]
 fn sphere_of_constant_power_gives_constant_illuminance() {
     const DISTANCE: f64 = 7.0;
@@ -265,4 +266,19 @@ fn one_side_of_a_plane_receives_two_thirds_at_270_degrees() {
     let one_side = oracle::illuminance(FRAC_PI_2) * light.radiance(1.0).unwrap();
     println!("one side at 270 degrees: {one_side}");
     assert!((one_side - 2.0 / 3.0).abs() < 1e-12);
+}
+
+/// The truth of the study's quantities and of the exhaustive tests.
+#[test]
+fn closed_forms_are_right_to_a_few_last_places() {
+    type Pair = (&'static str, fn(f64) -> f64, fn(&Big) -> Big);
+    let forms: [Pair; 3] = [
+        ("versine", oracle::closed::versine, versine),
+        ("solid_angle", oracle::closed::solid_angle, |x| big(2.0) * pi() * versine(x)),
+        ("size_factor", oracle::closed::size_factor, |x| pi() * square(x)),
+    ];
+    for (name, computed, truth) in forms {
+        let errors = spread(1000, 1e-6, 1.0).map(|ratio| ulps(computed(ratio), &truth(&big(ratio))));
+        assert_tight(&format!("{name}, ULP"), worst(errors), 6.0);
+    }
 }

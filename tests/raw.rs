@@ -31,6 +31,14 @@ fn q30_is_i2f30() {
     }
 }
 
+#[test]
+fn a_lamp_from_bits_is_one_from_i2f30() {
+    let ratio = I2F30::from_num(0.05);
+    assert_eq!(raw::sphere_q14(ratio.to_bits()), raw::SphereQ14::from_ratio_q30(ratio));
+    assert_eq!(raw::sphere_q30(ratio.to_bits()), raw::SphereQ30::from_ratio_q30(ratio));
+    assert!(raw::sphere_q14(-1).is_err() && raw::sphere_q30(i32::MAX).is_err());
+}
+
 /// The Sun straight above, the mirror ray 10 degrees beside it: worked out by hand.
 #[test]
 fn a_known_direction() {

@@ -1,13 +1,17 @@
 //! The README's table of errors is the table of budgets.
 
-use sunglint::trial::{Format, Method, budget};
+use sunglint::trial::judge::DISC_LOST;
+use sunglint::trial::{Format, Method, Visitor, budget, input, judge};
+use sunglint::{Real, SUN};
 
 const METHODS: [Method; 4] = [Method::Cap, Method::Factored, Method::Disc, Method::Epic];
 
-/// The cells of the row of `format`.
-fn row(format: Format) -> Vec<String> {
+const README: &str = include_str!("../README.md");
+
+/// The cells of the row of `format` in the first table of `text` that has one.
+fn row(text: &str, format: Format) -> Vec<String> {
     let start = format!("| {} |", format.name());
-    let line = include_str!("../README.md").lines().find(|line| line.starts_with(&start));
+    let line = text.lines().map(|line| line.trim_start_matches("//! ")).find(|line| line.starts_with(&start));
     line.unwrap_or_else(|| panic!("no row for {}", format.name()))
         .split('|')
         .map(|cell| cell.trim().to_owned())
@@ -17,12 +21,45 @@ fn row(format: Format) -> Vec<String> {
 #[test]
 fn errors_are_the_budgets_that_are_asserted() {
     for format in Format::ALL {
-        let cells = row(format);
+        let cells = row(README, format);
         for (index, method) in METHODS.into_iter().enumerate() {
             let cell = &cells[2 + 2 * index];
             let shown =
                 cell.split(',').next().and_then(|figure| figure.parse::<f64>().ok().filter(|figure| !figure.is_nan()));
             assert_eq!(shown, budget::maximum(method, format, 0), "{} in {}", method.name(), format.name());
+            let lost = cell.contains("disc lost");
+            assert_eq!(lost, loses_the_disc(method, format), "{} in {}", method.name(), format.name());
         }
+    }
+}
+
+#[test]
+fn errors_in_the_documentation_are_the_budgets_too() {
+    let formats = include_str!("../src/lib.rs");
+    let cap = include_str!("../src/specular.rs").lines().find(|line| line.starts_with("/// | worst |"));
+    let cells: Vec<&str> = cap.unwrap().split('|').map(str::trim).collect();
+    for (index, format) in Format::ALL.into_iter().enumerate() {
+        let budget = budget::maximum(Method::Cap, format, 0);
+        assert_eq!(row(formats, format)[4].trim_end_matches(" rad").parse().ok(), budget, "{}", format.name());
+        assert_eq!(cells[2 + index].parse().ok(), budget, "{}", format.name());
+    }
+}
+
+/// Whether the study says so of the Sun from Earth.
+fn loses_the_disc(method: Method, format: Format) -> bool {
+    format.visit(Lost { method })
+}
+
+struct Lost {
+    method: Method,
+}
+
+impl Visitor for Lost {
+    type Output = bool;
+
+    fn visit<T: Real>(self) -> bool {
+        let pairs = input::random(1, 20_000, SUN.angular_radius());
+        let judgement = judge::<T>(self.method, &SUN, pairs, 1e-3);
+        judgement.undirected < judgement.samples && judgement.disc_lost >= DISC_LOST
     }
 }

@@ -2,7 +2,7 @@
 
 use sunglint::trial::judge::DISC_LOST;
 use sunglint::trial::{Format, Judgement, Method, Visitor, budget, input, judge, lights};
-use sunglint::{DistantLight, Real, SUN, factored, normalize, oracle, reflect};
+use sunglint::{DistantLight, DistantSphere, Real, SUN, cap, factored, normalize, oracle, reflect};
 
 const PAIRS: usize = 20_000;
 
@@ -11,8 +11,8 @@ struct Outcome {
     max: f64,
     rms: f64,
     disc_lost: f64,
-    all_non_finite: bool,
-    non_finite: u64,
+    all_undirected: bool,
+    undirected: u64,
 }
 
 struct Judge {
@@ -32,8 +32,8 @@ impl Visitor for Judge {
             max: judgement.worst.error,
             rms: judgement.mean_square.sqrt(),
             disc_lost: judgement.disc_lost,
-            all_non_finite: judgement.non_finite == judgement.samples,
-            non_finite: judgement.non_finite,
+            all_undirected: judgement.undirected == judgement.samples,
+            undirected: judgement.undirected,
         }
     }
 }
@@ -55,12 +55,50 @@ fn keeps_its_budgets(method: Method) {
             let outcome = outcome(method, format, light.light);
             match budget::maximum(method, format, index) {
                 Some(budget) => {
-                    assert_eq!(outcome.non_finite, 0, "{what}");
+                    assert_eq!(outcome.undirected, 0, "{what}");
                     assert_tight(outcome.max, budget, &what);
                 }
-                None => assert!(outcome.all_non_finite || outcome.disc_lost >= DISC_LOST, "{what} works"),
+                None => assert!(outcome.all_undirected || outcome.disc_lost >= DISC_LOST, "{what} works"),
             }
         }
+    }
+}
+
+/// Where the budgets come from: prints 1.12 times the worst of 300 000 random pairs from each of three seeds, and the
+/// hard ones.
+#[test]
+#[ignore = "two minutes in release: cargo test --release --test specular -- --ignored --nocapture"]
+fn budgets_are_a_little_more_than_the_worst_of_900_000_pairs() {
+    let mut stale = 0;
+    for method in Method::ALL {
+        for (index, light) in lights::BUDGETED.into_iter().enumerate() {
+            for format in Format::ALL {
+                let Some(budget) = budget::maximum(method, format, index) else { continue };
+                let worst = [1, 2, 3].map(|seed| format.visit(Long { method, light: light.light, seed, format }));
+                let suggested = 1.12 * worst.into_iter().fold(0.0, f64::max);
+                println!("{} in {} at {}: {suggested:.1e}, is {budget:e}", method.name(), format.name(), light.name);
+                // Two digits, rounded up.
+                stale += u32::from(!(budget / 1.11..=budget).contains(&suggested));
+            }
+        }
+    }
+    assert_eq!(stale, 0);
+}
+
+struct Long {
+    method: Method,
+    light: DistantLight,
+    seed: u64,
+    format: Format,
+}
+
+impl Visitor for Long {
+    type Output = f64;
+
+    fn visit<T: Real>(self) -> f64 {
+        let theta = self.light.angular_radius();
+        let pairs = input::random(self.seed, 300_000, theta).chain(input::hard(theta));
+        judge::<T>(self.method, &self.light, pairs, self.format.step()).worst.error
     }
 }
 
@@ -86,25 +124,28 @@ fn cap_keeps_its_budgets() {
 
 #[test]
 fn epic_is_nan_at_the_sun_in_f16_and_lost_in_fixed_point() {
-    assert!(outcome(Method::Epic, Format::F16, SUN).all_non_finite);
+    assert!(outcome(Method::Epic, Format::F16, SUN).all_undirected);
     for format in [Format::I2F14, Format::I2F30, Format::I16F16] {
         assert!(outcome(Method::Epic, format, SUN).disc_lost > 1.0);
     }
 }
 
-/// The figures that the project set out to reach, beside the opposite of the light too.
+/// The accuracy that makes each format good for the Sun; held also where `r` is as near to `-l` as the format can say
+/// (f16: a tenth of a step).
 #[test]
-fn cap_at_the_sun_reaches_its_targets() {
-    let targets = [
-        (Format::F32, 8e-8),
-        (Format::F16, 4.5e-4),
-        (Format::I2F14, 1.0e-4),
-        (Format::I2F30, 2.1e-9),
-        (Format::I16F16, 2.8e-5),
+fn cap_at_the_sun_is_good_enough_at_every_angle() {
+    let needed = [
+        (Format::F32, 8e-8, 0.0),
+        (Format::F16, 4.5e-4, 0.1),
+        (Format::I2F14, 1.0e-4, 0.0),
+        (Format::I2F30, 2.1e-9, 0.0),
+        (Format::I16F16, 2.8e-5, 0.0),
     ];
-    for (format, target) in targets {
-        let outcome = format.visit(Judge { method: Method::Cap, light: SUN, epsilon: 0.1 * format.step() });
-        assert_tight(outcome.max, target, format.name());
+    for (format, needed, steps) in needed {
+        let outcome = format.visit(Judge { method: Method::Cap, light: SUN, epsilon: steps * format.step() });
+        let budget = budget::maximum(Method::Cap, format, 0).unwrap();
+        assert_tight(outcome.max, budget, format.name());
+        assert!(budget <= needed, "{}", format.name());
     }
 }
 
@@ -119,20 +160,78 @@ fn cap_at_the_sun_has_its_root_mean_square() {
 /// Discs beyond half the sky: UsdLux angles above 180 degrees.
 #[test]
 fn cap_turns_by_more_than_a_right_angle() {
-    for angle in [181.0, 270.0, 350.0, 360.0] {
-        let light = DistantLight::from_angle(angle).unwrap();
-        for (format, budget) in [(Format::F32, 4e-7), (Format::I2F14, 3.1e-4), (Format::I2F30, 6e-9)] {
-            let outcome = outcome(Method::Cap, format, light);
-            assert!(outcome.max <= budget, "{} at {angle}: {:e}", format.name(), outcome.max);
+    let budgets = [
+        (Format::F64, 5.4e-16),
+        (Format::F32, 2.6e-7),
+        (Format::Micromath, 2.6e-6),
+        (Format::F16, 1.9e-3),
+        (Format::I2F14, 1.4e-4),
+        (Format::I2F30, 2.2e-9),
+        (Format::I16F16, 3.6e-5),
+    ];
+    for (format, budget) in budgets {
+        let outcomes = [181.0, 200.0, 270.0, 350.0].map(|angle| {
+            let outcome = outcome(Method::Cap, format, DistantLight::from_angle(angle).unwrap());
+            assert_eq!(outcome.undirected, 0, "{} at {angle}", format.name());
+            outcome.max
+        });
+        assert_tight(outcomes.into_iter().fold(0.0, f64::max), budget, format.name());
+    }
+}
+
+/// The full sphere has every direction inside.
+struct FullSphere;
+
+impl Visitor for FullSphere {
+    type Output = ();
+
+    fn visit<T: Real>(self) {
+        let full = DistantSphere::<T>::of(&DistantLight::from_angle(360.0).unwrap());
+        for pair in input::random(5, PAIRS, 3.0).chain(input::hard(3.0)) {
+            let (l, r) = (pair.l.map(T::from_f64), pair.r.map(T::from_f64));
+            assert_eq!(cap(l, r, &full), r);
         }
     }
 }
 
 #[test]
-fn the_same_directions_give_the_same_answers() {
-    let once = outcome(Method::Cap, Format::F32, SUN);
-    let twice = outcome(Method::Cap, Format::F32, SUN);
-    assert_eq!([once.max, once.rms], [twice.max, twice.rms]);
+fn the_full_sphere_gives_the_mirror_direction() {
+    Format::ALL.into_iter().for_each(|format| format.visit(FullSphere));
+}
+
+/// Greatest difference of the answer's length from 1, over discs of ratios up to 1.
+struct Length;
+
+impl Visitor for Length {
+    type Output = f64;
+
+    fn visit<T: Real>(self) -> f64 {
+        let mut worst = 0.0_f64;
+        for light in lights::BUDGETED {
+            let sphere = DistantSphere::<T>::of(&light.light);
+            for pair in input::random(6, PAIRS, light.light.angular_radius()) {
+                let answer = cap(pair.l.map(T::from_f64), pair.r.map(T::from_f64), &sphere).map(T::to_f64);
+                worst = worst.max((answer.iter().map(|lane| lane * lane).sum::<f64>().sqrt() - 1.0).abs());
+            }
+        }
+        worst
+    }
+}
+
+#[test]
+fn cap_gives_length_one_without_normalizing() {
+    let budgets = [
+        (Format::F64, 4.9e-16),
+        (Format::F32, 2.1e-7),
+        (Format::Micromath, 5.3e-6),
+        (Format::F16, 4.2e-3),
+        (Format::I2F14, 1.3e-4),
+        (Format::I2F30, 1.9e-9),
+        (Format::I16F16, 3.4e-5),
+    ];
+    for (format, budget) in budgets {
+        assert_tight(format.visit(Length), budget, format.name());
+    }
 }
 
 /// Worst error of direction in radians and of length, over lengths from `shortest` to `longest`.
@@ -173,10 +272,6 @@ fn normalize_keeps_direction_and_gives_length_one() {
     ];
     for (format, shortest, longest, direction, length) in budgets {
         let worst = format.visit(Normalize { shortest, longest });
-        println!("{} {:e} {:e}", format.name(), worst[0], worst[1]);
-        if true {
-            continue;
-        }
         assert_tight(worst[0], direction, &format!("direction in {}", format.name()));
         assert_tight(worst[1], length, &format!("length in {}", format.name()));
     }
@@ -204,7 +299,7 @@ impl Visitor for Reflect {
 }
 
 #[test]
-fn reflect_rounds_once_in_fixed_point() {
+fn reflect_is_within_a_step_in_fixed_point() {
     let budgets = [
         (Format::F32, 4.0e-7),
         (Format::Micromath, 4.0e-7),
@@ -218,10 +313,11 @@ fn reflect_rounds_once_in_fixed_point() {
     }
 }
 
-/// The shader that the formula was published with calls `reflect` with the surface-to-camera direction, which gives `-r`; its formula does not mind.
+/// The shader that the formula was published with calls `reflect` with the surface-to-camera direction, which gives
+/// `-r`; its formula does not mind.
 #[test]
 fn factored_is_even_in_the_mirror_direction() {
-    let sphere = sunglint::DistantSphere::<f32>::new(&SUN);
+    let sphere = DistantSphere::<f32>::new(&SUN);
     for pair in input::random(4, PAIRS, SUN.angular_radius()) {
         let (l, r) = (pair.l.map(f32::from_f64), pair.r.map(f32::from_f64));
         assert_eq!(factored(l, r, &sphere), factored(l, r.map(|lane| -lane), &sphere));
@@ -244,7 +340,7 @@ impl Visitor for Hash {
     fn visit<T: Real>(self) -> u64 {
         let constants = sunglint::trial::Constants::<T>::of(&SUN);
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        // Steps of a millionth are exact in f64, so that the inputs are the same bits everywhere too.
+        // One multiplication and one subtraction of IEEE's give the same inputs everywhere.
         for index in 0..10_000_u32 {
             let lane = |salt: u32| f64::from(index.wrapping_mul(salt) >> 12) / 1_048_576.0 * 1.4 - 0.7;
             let l = [lane(2_654_435_761), lane(2_246_822_519), lane(3_266_489_917)].map(T::from_f64);

@@ -79,16 +79,16 @@ pub fn size_factor_q30(ratio: I2F30) -> Result<U16F48, LightError> {
 /// `1 / sizeFactor`: 1 for 0, else `1 / (pi x^2)`. Within 1 LSB (2^-12).
 ///
 /// # Errors
-/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1; [`LightError::Overflow`] where the answer is `2^52` or more, that is
-/// below `8.5e-9`.
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1; [`LightError::Overflow`] where the answer is `2^52` or
+/// more, that is below `8.5e-9`.
 pub fn inverse_size_factor_q30(ratio: I2F30) -> Result<U52F12, LightError> {
     let square = Q60::of(ratio)?.sin_square;
     // 1/pi in Q72 over a Q60 is Q12.
     if square == 0 { Ok(U52F12::ONE) } else { q12(quotient(INVERSE_PI_Q64 << 8, square.into())) }
 }
 
-/// Radiance of a light that is normalised to give `intensity` as illuminance: `intensity / size_factor`. Within 1 LSB (2^-12) of
-/// the quotient of its arguments. Takes sizeFactor so that it serves lights of every angle, see
+/// Radiance of a light that is normalised to give `intensity` as illuminance: `intensity / size_factor`. Within 1 LSB
+/// (2^-12) of the quotient of its arguments. Takes sizeFactor so that it serves lights of every angle, see
 /// [`DistantLight::size_factor_q48`].
 ///
 /// # Errors
@@ -101,11 +101,12 @@ pub fn radiance_q12(intensity: U20F12, size_factor: U16F48) -> Result<U52F12, Li
     q12(quotient(u128::from(intensity.to_bits()) << 48, divisor))
 }
 
-/// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white. Within 1 LSB (2^-12).
+/// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white. Within 1 LSB
+/// (2^-12).
 ///
 /// # Errors
-/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1; [`LightError::Overflow`] where the answer is `2^52` or more, that is
-/// below `1.5e-8`.
+/// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1; [`LightError::Overflow`] where the answer is `2^52` or
+/// more, that is below `1.5e-8`.
 pub fn white_radiance_q30(ratio: I2F30) -> Result<U52F12, LightError> {
     let square = Q60::of(ratio)?.sin_square;
     if square == 0 { Err(LightError::Overflow("U52F12")) } else { q12(quotient(1 << 72, square.into())) }
@@ -135,11 +136,11 @@ impl DistantLight {
         U16F48::from_bits(constant::to_fixed(self.solid_angle(), 48) as u64)
     }
 
-    /// 1 over [`DistantLight::size_factor`] rounded to U52F12, for all angles, in constants too. Within 2 LSB (2^-12) from 1e-4
-    /// degrees, where f64 has hardly more digits.
+    /// 1 over [`DistantLight::size_factor`] rounded to U52F12, for all angles, in constants too. Within 2 LSB (2^-12)
+    /// from 1e-4 degrees, where f64 has hardly more digits.
     ///
     /// # Errors
-    /// [`LightError::Overflow`] where that is `2^52` or more.
+    /// [`LightError::Overflow`] where that is `2^51` or more.
     pub const fn inverse_size_factor_q12(&self) -> Result<U52F12, LightError> {
         let bits = constant::to_fixed(1.0 / self.size_factor(), 12);
         if bits == i64::MAX { Err(LightError::Overflow("U52F12")) } else { Ok(U52F12::from_bits(bits as u64)) }

@@ -6,7 +6,7 @@
 
 use fixed::types::{I2F14, I2F30, I16F16};
 
-use super::Real;
+use super::{Real, STEEP_COSINE};
 use crate::constant;
 use crate::root::reciprocal_root;
 use crate::vec3::{each, zip};
@@ -73,7 +73,8 @@ fn unit(square: u64) -> (u64, u32) {
 #[inline]
 fn rim<const F: u32>(l: Lanes, versine: i64, s: Lanes, square: u64, length: i64) -> Lanes {
     let (mantissa, half) = unit(square | 1);
-    // A Q31 length times a Q31 mantissa, less the 63 - F bits that turn lanes into units, but for the bit that Q32 has more.
+    // A Q31 length times a Q31 mantissa, less the 63 - F bits that turn lanes into units, but for the bit that Q32
+    // has more.
     let k = (q31::<F>(length) as u64).wrapping_mul(mantissa) >> (62 - F - half);
     let remain = (1_i64 << 32).wrapping_sub(q31::<F>(versine).wrapping_mul(2));
     zip(l, s, |l, s| saturate(round_shift(product(remain, l).wrapping_add(product(k as i64, s)), 32)))
@@ -106,8 +107,8 @@ pub(crate) const fn wide_i32<const FRACTION: u32>(value: f64) -> i32 {
     }
 }
 
-// A macro, since the blanket implementation for floats leaves no room for a second generic one: the compiler cannot rule out
-// that somebody makes `FixedI32<TheirFraction>` a `Float`.
+// A macro, since the blanket implementation for floats leaves no room for a second generic one: the compiler cannot rule
+// out that somebody makes `FixedI32<TheirFraction>` a `Float`.
 macro_rules! fixed_point {
     ($format:ty, $name:literal, $lane:ty, $wide:ty, $unsigned:ty, $fraction:literal, $constant:path) => {
         impl Lane for $format {
@@ -135,11 +136,10 @@ macro_rules! fixed_point {
 
             const WIDE_MAX: $wide = <$wide>::MAX;
 
-            const STEEP: [$wide; 2] = [$constant(-0.714), $constant(0.714)];
+            const STEEP: [$wide; 2] = [$constant(-STEEP_COSINE), $constant(STEEP_COSINE)];
 
             fn from_f64(value: f64) -> Self {
-                let bits = constant::to_fixed(value, $fraction);
-                Self::from_bits(bits.clamp(<$lane>::MIN.into(), <$lane>::MAX.into()) as $lane)
+                Self::clamped(saturate(constant::to_fixed(value, $fraction)))
             }
 
             fn to_f64(self) -> f64 {
@@ -184,6 +184,10 @@ macro_rules! fixed_point {
             #[inline]
             fn square(v: [Self; 3]) -> $wide {
                 Self::dot(v, v)
+            }
+
+            fn square_of(length: f64) -> $wide {
+                $constant(length * length)
             }
 
             #[inline]

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
-use super::Real;
+use super::{Real, STEEP_COSINE};
 use crate::vec3::{each, zip};
 
 /// A floating-point format: ordinary arithmetic, rounded at every step, and a reciprocal root.
@@ -29,13 +29,22 @@ pub trait Float:
 
     /// A power of two by which lengths are scaled before they are squared, so that the square of a light's radius
     /// stays a normal number. 1 where the format's exponent is wide enough.
-    const SCALE: f64 = 1.0;
+    const SCALE: Self;
 
     /// Squared lengths that have lost nothing to overflow or underflow: [`Real::normalize`] rescales beyond them.
-    const SAFE_SQUARE: [f64; 2] = [1e-30, 1e30];
+    const SAFE_SQUARE: [Self; 2];
 
     /// `2^s + 1`, `s` being half of the significand's digits, rounded up: cuts a number into two halves (Veltkamp).
-    const SPLITTER: f64;
+    const SPLITTER: Self;
+
+    /// Pi and what it lacks: together twice the format's digits.
+    const PI: [Self; 2];
+
+    /// Twice [`Float::PI`].
+    const TWICE_PI: [Self; 2];
+
+    /// 1/pi and what it lacks.
+    const INVERSE_PI: [Self; 2];
 
     /// The nearest value of the format.
     fn nearest(value: f64) -> Self;
@@ -50,6 +59,21 @@ pub trait Float:
     fn root(self) -> Self;
 }
 
+/// Pi, as its nearest f64 and what that lacks.
+pub(crate) const PI: [f64; 2] = [core::f64::consts::PI, 1.224_646_799_147_353_2e-16];
+
+/// Twice that.
+pub(crate) const TWICE_PI: [f64; 2] = [core::f64::consts::TAU, 2.449_293_598_294_706_4e-16];
+
+/// One over pi.
+pub(crate) const INVERSE_PI: [f64; 2] = [core::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17];
+
+/// A constant as its nearest f32 and what that lacks.
+pub(crate) const fn pair_f32([value, low]: [f64; 2]) -> [f32; 2] {
+    let high = value as f32;
+    [high, ((value - high as f64) + low) as f32]
+}
+
 impl Float for f64 {
     const FORMAT: &'static str = "f64";
 
@@ -59,16 +83,26 @@ impl Float for f64 {
 
     const MAX: Self = f64::MAX;
 
-    const STEEP: [Self; 2] = [-0.714, 0.714];
+    const STEEP: [Self; 2] = [-STEEP_COSINE, STEEP_COSINE];
 
-    const SPLITTER: f64 = 134_217_729.0;
+    const SCALE: Self = 1.0;
 
-    #[inline]
+    const SAFE_SQUARE: [Self; 2] = [1e-30, 1e30];
+
+    const SPLITTER: Self = 134_217_729.0;
+
+    const PI: [Self; 2] = PI;
+
+    const TWICE_PI: [Self; 2] = TWICE_PI;
+
+    const INVERSE_PI: [Self; 2] = INVERSE_PI;
+
+    #[inline(always)]
     fn nearest(value: f64) -> Self {
         value
     }
 
-    #[inline]
+    #[inline(always)]
     fn exact(self) -> f64 {
         self
     }
@@ -93,16 +127,26 @@ impl Float for f32 {
 
     const MAX: Self = f32::MAX;
 
-    const STEEP: [Self; 2] = [-0.714, 0.714];
+    const STEEP: [Self; 2] = [-STEEP_COSINE as f32, STEEP_COSINE as f32];
 
-    const SPLITTER: f64 = 4097.0;
+    const SCALE: Self = 1.0;
 
-    #[inline]
+    const SAFE_SQUARE: [Self; 2] = [1e-30, 1e30];
+
+    const SPLITTER: Self = 4097.0;
+
+    const PI: [Self; 2] = pair_f32(PI);
+
+    const TWICE_PI: [Self; 2] = pair_f32(TWICE_PI);
+
+    const INVERSE_PI: [Self; 2] = pair_f32(INVERSE_PI);
+
+    #[inline(always)]
     fn nearest(value: f64) -> Self {
         value as f32
     }
 
-    #[inline]
+    #[inline(always)]
     fn exact(self) -> f64 {
         f64::from(self)
     }
@@ -122,8 +166,6 @@ impl<T: Float> Real for T {
     type Wide = T;
 
     const NAME: &'static str = T::FORMAT;
-
-    const SQUARE_SCALE: f64 = T::SCALE;
 
     const ZERO: Self = <T as Float>::ZERO;
 
@@ -177,8 +219,13 @@ impl<T: Float> Real for T {
 
     #[inline]
     fn square(v: [Self; 3]) -> T {
-        let scaled = each(v, |lane| lane * T::nearest(T::SCALE));
+        let scaled = each(v, |lane| lane * T::SCALE);
         Self::dot(scaled, scaled)
+    }
+
+    fn square_of(length: f64) -> T {
+        let scaled = length * T::SCALE.exact();
+        T::nearest(scaled * scaled)
     }
 
     #[inline]
@@ -188,11 +235,11 @@ impl<T: Float> Real for T {
 
     #[inline]
     fn rim(l: [Self; 3], versine: T, s: [Self; 3], square: T, length: T) -> [Self; 3] {
-        let [least, _] = T::SAFE_SQUARE.map(T::nearest);
+        let [least, _] = T::SAFE_SQUARE;
         let small = square < least;
         let s = if small { rescale(s).0 } else { s };
         let square = if small { Self::square(s) } else { square };
-        let k = T::over_root(length * T::nearest(T::SCALE), square);
+        let k = T::over_root(length * T::SCALE, square);
         // The small difference comes first, so that only the last sum rounds at the size of l.
         zip(l, s, |l, s| l + (k * s - versine * l))
     }
@@ -200,7 +247,7 @@ impl<T: Float> Real for T {
     #[inline]
     fn normalize(v: [Self; 3]) -> [Self; 3] {
         let square = Self::dot(v, v);
-        let [least, most] = T::SAFE_SQUARE.map(T::nearest);
+        let [least, most] = T::SAFE_SQUARE;
         let safe = square >= least && square <= most;
         let (v, square) = if safe { (v, square) } else { rescale(v) };
         if square <= T::WIDE_ZERO {

@@ -2,7 +2,16 @@
 
 use half::f16;
 
-use super::Float;
+use super::float::{INVERSE_PI, PI, TWICE_PI};
+use super::{Float, STEEP_COSINE};
+
+/// [`Float::SCALE`], for constants.
+pub(crate) const SQUARE_SCALE: f64 = 64.0;
+
+const fn pair([value, low]: [f64; 2]) -> [f16; 2] {
+    let high = nearest(value);
+    [high, nearest((value - high.to_f64_const()) + low)]
+}
 
 impl Float for f16 {
     const FORMAT: &'static str = "f16";
@@ -13,14 +22,20 @@ impl Float for f16 {
 
     const MAX: Self = f16::MAX;
 
-    const STEEP: [Self; 2] = [f16::from_f32_const(-0.714), f16::from_f32_const(0.714)];
-
-    const SPLITTER: f64 = 65.0;
+    const STEEP: [Self; 2] = [nearest(-STEEP_COSINE), nearest(STEEP_COSINE)];
 
     // The Sun's x^2 = 2.2e-5 is below f16's smallest normal number, which hardware may flush to zero; (64 x)^2 is not.
-    const SCALE: f64 = 64.0;
+    const SCALE: Self = nearest(SQUARE_SCALE);
 
-    const SAFE_SQUARE: [f64; 2] = [0.0625, 1024.0];
+    const SAFE_SQUARE: [Self; 2] = [nearest(0.0625), nearest(1024.0)];
+
+    const SPLITTER: Self = nearest(65.0);
+
+    const PI: [Self; 2] = pair(PI);
+
+    const TWICE_PI: [Self; 2] = pair(TWICE_PI);
+
+    const INVERSE_PI: [Self; 2] = pair(INVERSE_PI);
 
     #[inline]
     fn nearest(value: f64) -> Self {
@@ -53,9 +68,12 @@ pub(crate) const fn nearest(value: f64) -> f16 {
     if value > -6.103515625e-5 && value < 6.103515625e-5 {
         return f16::from_f64_const((value + SUBNORMAL) - SUBNORMAL);
     }
+    if value.is_nan() {
+        return f16::NAN;
+    }
     let bits = value.to_bits();
     let odd = (bits >> 42) & 1;
-    // A mantissa that rounds up past its end carries into the exponent, as it should; NaN keeps its payload's top bit.
-    let rounded = if value.is_nan() { bits } else { bits + ((1 << 41) - 1) + odd };
+    // A mantissa that rounds up past its end carries into the exponent, as it should.
+    let rounded = bits + ((1 << 41) - 1) + odd;
     f16::from_f64_const(f64::from_bits(rounded & !((1 << 42) - 1)))
 }

@@ -2,7 +2,8 @@
 
 use micromath::F32;
 
-use super::Float;
+use super::float::{INVERSE_PI, PI, TWICE_PI, pair_f32};
+use super::{Float, STEEP_COSINE};
 
 impl Float for F32 {
     const FORMAT: &'static str = "micromath";
@@ -13,11 +14,21 @@ impl Float for F32 {
 
     const MAX: Self = F32::MAX;
 
-    const STEEP: [Self; 2] = [F32(-0.714), F32(0.714)];
+    const STEEP: [Self; 2] = [F32(-STEEP_COSINE as f32), F32(STEEP_COSINE as f32)];
 
-    const SPLITTER: f64 = 4097.0;
+    const SCALE: Self = F32(1.0);
 
-    #[inline]
+    const SAFE_SQUARE: [Self; 2] = [F32(1e-30), F32(1e30)];
+
+    const SPLITTER: Self = F32(4097.0);
+
+    const PI: [Self; 2] = pair(PI);
+
+    const TWICE_PI: [Self; 2] = pair(TWICE_PI);
+
+    const INVERSE_PI: [Self; 2] = pair(INVERSE_PI);
+
+    #[inline(always)]
     fn nearest(value: f64) -> Self {
         F32(value as f32)
     }
@@ -36,6 +47,11 @@ impl Float for F32 {
     fn root(self) -> Self {
         self * reciprocal_root(self)
     }
+}
+
+const fn pair(constant: [f64; 2]) -> [F32; 2] {
+    let [high, low] = pair_f32(constant);
+    [F32(high), F32(low)]
 }
 
 /// `invsqrt` alone is up to 3.4 % off; two Newton steps bring that under 6e-6 without a division.

@@ -81,13 +81,14 @@ impl Format {
         }
     }
 
-    /// The unit in the last place of a float format's numbers of the size of `value`; the step of its subnormals below its
-    /// least normal number.
+    /// The unit in the last place of numbers of the size of `value`; below a float format's least normal number the
+    /// step of its subnormals, in fixed point the last bit.
     pub fn ulp(self, value: f64) -> f64 {
         let (precision, least_exponent) = match self {
             Self::F64 => (53, -1022),
             Self::F16 => (11, -14),
-            _ => (24, -126),
+            Self::F32 | Self::Micromath => (24, -126),
+            Self::I2F14 | Self::I2F30 | Self::I16F16 => return self.step(),
         };
         let exponent = libm::ilogb(value).max(least_exponent);
         libm::scalbn(1.0, exponent - precision + 1)

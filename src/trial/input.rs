@@ -13,9 +13,9 @@ pub struct Pair {
     pub r: [f64; 3],
 }
 
-/// `count` random pairs for a disc of angular radius `theta`. The angle between the two is spread over: all angles evenly; the
-/// logarithms of 1e-6 to pi; the logarithms of 1e-6 to pi short of pi; the disc's rim within a factor of 2, and within
-/// 1e-6 to 1e-2 of it. One light in eight lies on or beside an axis, where lanes are tiny.
+/// `count` random pairs for a disc of angular radius `theta`. The angle between the two is spread over: all angles
+/// evenly; the logarithms of 1e-6 to pi; the logarithms of 1e-6 to pi short of pi; the disc's rim within a factor of
+/// 2, and within 1e-6 to 1e-2 of it. One light in eight lies on or beside an axis, where lanes are tiny.
 pub fn random(seed: u64, count: usize, theta: f64) -> impl Iterator<Item = Pair> {
     let mut source = Rand64::new(u128::from(seed));
     (0..count).map(move |index| {
@@ -25,19 +25,38 @@ pub fn random(seed: u64, count: usize, theta: f64) -> impl Iterator<Item = Pair>
     })
 }
 
-/// Pairs that have broken some method: scene S about the rim, axes, parallel and opposite directions, right angles, great
-/// differences, and single steps of a format apart.
+/// The light from `(1, 2, 3)` and the mirror ray turned from it by `angle` towards `(3, 0, -1)`: the scene of the
+/// catalogue of failures.
+pub fn scene(angle: f64) -> Pair {
+    let l = unit([1.0, 2.0, 3.0]);
+    Pair { l, r: turned(l, unit([3.0, 0.0, -1.0]), angle) }
+}
+
+/// Pairs that have broken some method: that scene about the rim, axes, parallel and opposite directions, right
+/// angles, great differences, and single steps of a format apart.
 pub fn hard(theta: f64) -> impl Iterator<Item = Pair> {
-    let scene = unit([1.0, 2.0, 3.0]);
     let aside = unit([3.0, 0.0, -1.0]);
-    let turns = TURNS.into_iter().map(move |turn| Pair { l: scene, r: turned(scene, aside, (turn * theta).min(PI)) });
-    let angles = ANGLES.into_iter().map(move |angle| Pair { l: scene, r: turned(scene, aside, angle) });
+    let turns = TURNS.into_iter().map(move |turn| scene((turn * theta).min(PI)));
+    let angles = ANGLES.into_iter().map(scene);
     let axes = LIGHTS.into_iter().map(unit).flat_map(move |l| {
         let rim = turned(l, aside, theta);
         LIGHTS.into_iter().map(unit).chain([l, l.map(|lane| -lane), rim]).map(move |r| Pair { l, r })
     });
     let far = [Pair { l: [0.0, 0.0, 1.0], r: [libm::sqrt(3.0) / 2.0, 0.0, -0.5] }];
     turns.chain(angles).chain(axes).chain(far)
+}
+
+/// The pixels of a ball in scan order, `side` by `side` of them less the corners, seen from `(0, 0, 1)` and lit from
+/// `(1, 2, 3)`: what a renderer asks for, one pixel much like the next.
+pub fn ball(side: u32) -> impl Iterator<Item = Pair> {
+    let centre = move |pixel: u32| (2.0 * f64::from(pixel) + 1.0) / f64::from(side) - 1.0;
+    (0..side * side).filter_map(move |pixel| {
+        let (x, y) = (centre(pixel % side), centre(pixel / side));
+        let square = 1.0 - x * x - y * y;
+        let z = libm::sqrt(square.max(0.0));
+        // The mirror image of (0, 0, 1) about the normal (x, y, z).
+        (square > 0.0).then(|| Pair { l: unit([1.0, 2.0, 3.0]), r: [2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0] })
+    })
 }
 
 /// Angles in units of the angular radius.
@@ -101,7 +120,8 @@ fn turned(l: [f64; 3], aside: [f64; 3], angle: f64) -> [f64; 3] {
     let across = [0, 1, 2].map(|i| aside[i] - along * l[i]);
     // Where the two are parallel, any perpendicular will do.
     let short = across.into_iter().all(|lane| lane.abs() < 1e-9);
-    let tangent = unit(if short { [l[1], l[2], -l[0] - l[1]] } else { across });
+    let perpendicular = if l[2].abs() < 0.9 { [l[1], -l[0], 0.0] } else { [0.0, l[2], -l[1]] };
+    let tangent = unit(if short { perpendicular } else { across });
     unit([0, 1, 2].map(|i| libm::cos(angle) * l[i] + libm::sin(angle) * tangent[i]))
 }
 

@@ -20,11 +20,14 @@ pub struct Worst<T> {
 /// What came of trying a method on many directions. Errors are angles in radians, each maximum and root mean square.
 #[derive(Clone, Copy, Debug)]
 pub struct Judgement<T> {
-    /// Directions tried.
+    /// Directions tried and judged.
     pub samples: u64,
-    /// Answers with a NaN or an infinity, which count in none of the errors.
-    pub non_finite: u64,
-    /// Worst arithmetic error: computed against the exact value of the same formula at the rounded inputs.
+    /// Directions left out, since the formula has no one answer there ([`Method::is_defined`]).
+    pub excluded: u64,
+    /// Answers that are no direction (NaN, infinity or the zero vector), which count in none of the errors.
+    pub undirected: u64,
+    /// Worst arithmetic error: computed against the exact value of the same formula at the rounded inputs. Where no
+    /// answer is a direction, the first input.
     pub worst: Worst<T>,
     /// Mean of the squared arithmetic error.
     pub mean_square: f64,
@@ -36,20 +39,21 @@ pub struct Judgement<T> {
     pub total_max: f64,
     /// Mean of the squared error of both together.
     pub total_mean_square: f64,
-    /// Worst error of the nearest direction that rounding `l` and `r` into the format makes by itself, where they are within 90
-    /// degrees of each other. No method is blamed for it.
+    /// Worst error of the nearest direction that rounding `l` and `r` into the format makes by itself, where they are
+    /// within 90 degrees of each other. No method is blamed for it.
     pub input_max: f64,
     /// Mean of the squared error from rounding the inputs.
     pub input_mean_square: f64,
-    /// Worst arithmetic error in units of the angular radius where `r` is within ten radii of the light (and 90 degrees): how
-    /// far off the disc is drawn. From [`DISC_LOST`] on the disc is lost.
+    /// Worst arithmetic error in units of the angular radius where `r` is within ten radii of the light (and 90
+    /// degrees): how far off the disc is drawn. From [`DISC_LOST`] on the disc is lost.
     pub disc_lost: f64,
 }
 
 /// Half a radius.
 pub const DISC_LOST: f64 = 0.5;
 
-/// Tries `method` on `pairs`, each rounded into the format first.
+/// Tries `method` on `pairs`, each rounded into the format first; `epsilon` is how near to `-l`, in radians, `r` is
+/// left out.
 pub fn judge<T: Real>(
     method: Method,
     light: &DistantLight,
@@ -57,10 +61,11 @@ pub fn judge<T: Real>(
     epsilon: f64,
 ) -> Judgement<T> {
     let constants = Constants::<T>::of(light);
-    let zero = [T::from_f64(0.0); 3];
+    let zero = [T::ZERO; 3];
     let mut sum = Judgement {
         samples: 0,
-        non_finite: 0,
+        excluded: 0,
+        undirected: 0,
         worst: Worst { error: 0.0, l: zero, r: zero },
         mean_square: 0.0,
         model_max: 0.0,
@@ -82,9 +87,11 @@ pub fn judge<T: Real>(
         let answer = method.direction(l, r, &constants).map(T::to_f64);
         if method.is_defined(l.map(T::to_f64), r.map(T::to_f64), light, epsilon) {
             add(&mut sum, method, light, Worst { error: 0.0, l, r }, answer);
+        } else {
+            sum.excluded += 1;
         }
     }
-    let mean = |total: f64| total / (sum.samples - sum.non_finite).max(1) as f64;
+    let mean = |total: f64| total / (sum.samples - sum.undirected).max(1) as f64;
     Judgement {
         mean_square: mean(sum.mean_square),
         model_mean_square: mean(sum.model_mean_square),
@@ -103,9 +110,13 @@ fn input_error(pair: Pair, l: [f64; 3], r: [f64; 3], light: &DistantLight) -> Op
 }
 
 fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at: Worst<T>, answer: [f64; 3]) {
+    if sum.samples == 0 {
+        sum.worst = at;
+    }
     sum.samples += 1;
-    if !answer.into_iter().all(f64::is_finite) {
-        sum.non_finite += 1;
+    // The zero vector has no direction, and atan2 would find no angle in it.
+    if !answer.into_iter().all(f64::is_finite) || answer == [0.0; 3] {
+        sum.undirected += 1;
         return;
     }
     let (l, r) = (at.l.map(T::to_f64), at.r.map(T::to_f64));

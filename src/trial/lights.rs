@@ -11,8 +11,8 @@ pub struct Light {
     pub light: DistantLight,
 }
 
-/// The lights of the study: the Sun from the semi-major axes of Earth's, Mars's and Jupiter's orbits (1, 1.523 71 and 5.202 89
-/// astronomical units: Standish's mean elements, J2000), and two area lights.
+/// The lights of the study: the Sun from the semi-major axes of Earth's, Mars's and Jupiter's orbits (1, 1.523 71 and
+/// 5.202 89 astronomical units: Standish's mean elements, J2000), and two area lights.
 pub const STUDY: [Light; 5] = [
     Light { name: "Sun from Earth", light: SUN },
     Light { name: "Sun from Mars", light: sun_from(1.523_71) },

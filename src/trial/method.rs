@@ -68,8 +68,8 @@ impl Method {
         }
     }
 
-    /// Whether the formula's direction is well defined: the representative point may fall into the origin, and beside `-l` every
-    /// direction of the rim is as near.
+    /// Whether the formula's direction is well defined: the representative point may fall into the origin, and beside
+    /// `-l` every direction of the rim is as near.
     pub fn is_defined(self, l: [f64; 3], r: [f64; 3], light: &DistantLight, epsilon: f64) -> bool {
         match self {
             Self::Epic | Self::Factored => oracle::factored_length(l, r, light.sin()) > 0.1,

@@ -76,7 +76,8 @@ pub fn assert_tight(name: &str, worst: f64, bound: f64) {
     assert!(worst >= bound / 4.0, "{name}: {bound} is far above {worst}");
 }
 
-/// `count` numbers from `least` to `most`, evenly spread logarithms, ends included; then as many random ones of either spread.
+/// `count` numbers from `least` to `most`, evenly spread logarithms, ends included; then as many random ones of
+/// either spread.
 pub fn spread(count: u32, least: f64, most: f64) -> impl Iterator<Item = f64> {
     let mut source = Rand64::new(u128::from(count));
     let logarithmic = move |part: f64| (least * (most / least).powf(part)).clamp(least, most);

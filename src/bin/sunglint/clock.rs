@@ -1,4 +1,5 @@
-//! What a call costs: its time over the time of f32 `factored` in the same round, contenders interleaved.
+//! What a call costs on the pixels of a ball: its time over the time of f32 `factored` in the same round, contenders
+//! interleaved. The time of an empty call, which loads the same directions and stores one of them, is taken off both.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -23,45 +24,55 @@ pub struct Cost {
 /// Calls every contender's answer to all pairs once.
 type Batch = Box<dyn Fn()>;
 
-/// Pairs in a batch: inside the disc, about its rim, and all over the sphere.
-const PAIRS: usize = 500;
-
-/// Batches that are timed as one, so that the clock's own step does not count.
-const REPEATS: u32 = 8;
+/// Pixels across the ball whose pixels make a batch.
+const SIDE: u32 = 64;
 
 /// How often every contender has its turn.
 pub const fn rounds(quick: bool) -> usize {
-    if quick { 15 } else { 81 }
+    if quick { 17 } else { 81 }
 }
 
 /// The costs of all methods in all formats, method by method.
 pub fn costs(light: &Light, options: &Options, progress: &ProgressBar) -> Vec<Cost> {
-    let batches: Vec<Batch> =
-        Method::ALL.into_iter().flat_map(|method| of_method(method, light, options.seed)).collect();
-    let baseline = Format::F32.visit(Build { method: Method::Factored, light, seed: options.seed });
-    let mut ratios = vec![Vec::new(); batches.len()];
+    let build = |method, format: Format| format.visit(Build { method, light });
+    let contenders: Vec<Contender> = Method::ALL
+        .into_iter()
+        .flat_map(|method| Format::ALL.map(|format| (Some(method), format)))
+        .map(|(method, format)| Contender { call: build(method, format), empty: build(None, format) })
+        .collect();
+    let baseline = Contender { call: build(Some(Method::Factored), Format::F32), empty: build(None, Format::F32) };
+    let mut ratios = vec![Vec::new(); contenders.len()];
     for _ in 0..rounds(options.quick) {
-        for (batch, ratios) in batches.iter().zip(&mut ratios) {
+        for (contender, ratios) in contenders.iter().zip(&mut ratios) {
             // The baseline before and after, so that a clock that drifts is divided out.
-            let before = time(&baseline);
-            let own = time(batch);
-            let after = time(&baseline);
-            ratios.push(2.0 * own.as_secs_f64() / (before + after).as_secs_f64());
+            let before = baseline.seconds();
+            let own = contender.seconds();
+            let after = baseline.seconds();
+            ratios.push(2.0 * own / (before + after));
         }
         progress.inc(1);
     }
     ratios.into_iter().map(cost).collect()
 }
 
-fn of_method(method: Method, light: &Light, seed: u64) -> [Batch; 7] {
-    Format::ALL.map(|format| format.visit(Build { method, light, seed }))
+/// A method in a format, and the empty call in that format.
+struct Contender {
+    call: Batch,
+    empty: Batch,
+}
+
+impl Contender {
+    /// What the calls take beyond empty ones; never quite nothing, since ratios are drawn on a logarithmic axis.
+    fn seconds(&self) -> f64 {
+        let call = time(&self.call).as_secs_f64();
+        let empty = time(&self.empty).as_secs_f64();
+        (call - empty).max(call / 1000.0)
+    }
 }
 
 fn time(batch: &Batch) -> Duration {
     let start = Instant::now();
-    for _ in 0..REPEATS {
-        batch();
-    }
+    batch();
     start.elapsed()
 }
 
@@ -71,10 +82,10 @@ fn cost(mut ratios: Vec<f64>) -> Cost {
     Cost { median: at(2), lower_quartile: at(1), upper_quartile: at(3) }
 }
 
+/// A batch of calls of a method, or of empty ones.
 struct Build<'a> {
-    method: Method,
+    method: Option<Method>,
     light: &'a Light,
-    seed: u64,
 }
 
 impl Visitor for Build<'_> {
@@ -82,14 +93,15 @@ impl Visitor for Build<'_> {
 
     fn visit<T: Real>(self) -> Batch {
         let Constants { sphere, unfactored } = Constants::<T>::of(&self.light.light);
-        let pairs = input::random(self.seed, PAIRS, self.light.light.angular_radius());
+        let pairs = input::ball(SIDE);
         let pairs: Vec<_> = pairs.map(|pair| (pair.l.map(T::from_f64), pair.r.map(T::from_f64))).collect();
         // One closure a method, so that the compiler sees which one it is.
         match self.method {
-            Method::Epic => batch(pairs, move |l, r| epic(l, r, &unfactored)),
-            Method::Factored => batch(pairs, move |l, r| factored(l, r, &sphere)),
-            Method::Disc => batch(pairs, move |l, r| disc(l, r, &sphere)),
-            Method::Cap => batch(pairs, move |l, r| cap(l, r, &sphere)),
+            Some(Method::Epic) => batch(pairs, move |l, r| epic(l, r, &unfactored)),
+            Some(Method::Factored) => batch(pairs, move |l, r| factored(l, r, &sphere)),
+            Some(Method::Disc) => batch(pairs, move |l, r| disc(l, r, &sphere)),
+            None => batch(pairs, |l, _| l),
+            Some(Method::Cap) => batch(pairs, move |l, r| cap(l, r, &sphere)),
         }
     }
 }

@@ -16,15 +16,15 @@ pub fn mark(study: &mut Study) {
 /// For each row, whether it is on the frontier.
 fn members(rows: &[Row], kind: ErrorKind) -> Vec<bool> {
     let on_frontier = |row: &Row| {
-        let rivals = rows.iter().filter(|rival| rival.light == row.light);
-        is_candidate(row, kind) && !rivals.into_iter().any(|rival| beats(rival, row, kind))
+        let mut rivals = rows.iter().filter(|rival| rival.light == row.light);
+        is_candidate(row, kind) && !rivals.any(|rival| beats(rival, row, kind))
     };
     rows.iter().map(on_frontier).collect()
 }
 
-/// Whether `row` works and its error is a number.
+/// Whether `row` works and its error and cost are numbers.
 fn is_candidate(row: &Row, kind: ErrorKind) -> bool {
-    row.failure.is_none() && kind.worst(row).is_finite()
+    row.failure.is_none() && row.cost.is_finite() && kind.worst(row).is_finite()
 }
 
 /// Whether `rival` is at most as costly and at most as wrong as `row`, and one of the two strictly.

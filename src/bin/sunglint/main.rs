@@ -41,7 +41,7 @@ fn main() -> ExitCode {
     match study(&options) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("sunglint: {error}");
+            let _ = writeln!(io::stderr(), "sunglint: {error}");
             ExitCode::FAILURE
         }
     }

@@ -42,7 +42,14 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
             set_cost(row, cost);
         }
     }
-    Study { version: env!("CARGO_PKG_VERSION").to_owned(), seed: options.seed, quick: options.quick, rows, quantities }
+    Study {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        seed: options.seed,
+        light: options.light.clone(),
+        quick: options.quick,
+        rows,
+        quantities,
+    }
 }
 
 /// All methods and formats in the order that [`clock::costs`] keeps too.
@@ -70,8 +77,12 @@ fn errors(contenders: &[Contender], options: &Options, progress: &ProgressBar) -
             progress.inc(1);
         }
     };
-    let cores = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| (0..cores).for_each(|_| drop(scope.spawn(work))));
+    let others = thread::available_parallelism().map_or(0, |cores| cores.get() - 1);
+    thread::scope(|scope| {
+        // A thread that cannot be had leaves its work to the rest.
+        (0..others).for_each(|_| drop(thread::Builder::new().spawn_scoped(scope, work)));
+        work();
+    });
     rows.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
 }
 
@@ -95,7 +106,7 @@ impl Visitor for Judge<'_> {
 }
 
 fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgement<T>) -> Row {
-    let failed = judgement.non_finite == judgement.samples;
+    let failed = judgement.undirected == judgement.samples;
     let shown = |error: f64| if failed { f64::NAN } else { error };
     let worst = &judgement.worst;
     let [l, r] = [worst.l, worst.r].map(|v| v.map(T::to_f64));
@@ -117,7 +128,8 @@ fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgem
         input_max: judgement.input_max,
         input_rms: judgement.input_mean_square.sqrt(),
         samples: judgement.samples,
-        non_finite: judgement.non_finite,
+        excluded: judgement.excluded,
+        undirected: judgement.undirected,
         failure: failure(judgement),
         worst_angle: sunglint::oracle::angle_between(l, r),
         worst_l: bits(format, l),
@@ -128,13 +140,16 @@ fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgem
 }
 
 fn failure<T>(judgement: &Judgement<T>) -> Option<String> {
-    if judgement.non_finite > 0 {
-        Some("NaN".to_owned())
+    let failure = if judgement.undirected == judgement.samples {
+        "NaN"
     } else if judgement.disc_lost >= DISC_LOST {
-        Some("disc lost".to_owned())
+        "disc lost"
+    } else if judgement.undirected > 0 {
+        "undirected"
     } else {
-        None
-    }
+        return None;
+    };
+    Some(failure.to_owned())
 }
 
 /// The raw bits of the three lanes in hexadecimal.

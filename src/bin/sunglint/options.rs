@@ -16,7 +16,7 @@ pub struct Options {
     #[arg(long, value_name = "DIR", default_value = "target/sunglint")]
     pub out: PathBuf,
 
-    /// Try fewer directions: seconds in place of minutes, looser worst cases
+    /// Try fewer directions: two seconds in place of some fifteen, less of the worst cases
     #[arg(long)]
     pub quick: bool,
 

@@ -27,7 +27,7 @@ impl fmt::Display for WriteError {
 impl Error for WriteError {}
 
 /// Makes the folder `out` if it is missing, and makes sure that files can be written to it. This
-/// comes before the measurement, so that a wrong path does not cost minutes.
+/// comes before the measurement, so that a wrong path does not cost the measurement.
 pub fn prepare(out: &Path) -> Result<(), WriteError> {
     let at = |cause: io::Error| failure(out, cause);
     fs::create_dir_all(out).map_err(at)?;

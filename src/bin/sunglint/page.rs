@@ -40,7 +40,10 @@ computed direction against the exact value of the same formula for the same inpu
 error</strong> is what the formula costs: its exact value against the nearest point of the light’s \
 disc. It hardly depends on the format, and no precision removes it. <strong>Total error</strong> is \
 the computed direction against the nearest point, so it holds both. A method may lead by its \
-arithmetic and yet trail by its model; hence two charts for each light, and two frontiers.</p>";
+arithmetic and yet trail by its model; hence two charts for each light, and two frontiers. The truth \
+is computed in f64, so the errors of f64 hold up to 1.5e-16 rad of the truth’s own rounding, and the \
+order among them says nothing. Left out are directions beside the opposite of the light, where all of \
+the rim is as near, and where the representative point falls into the origin; the table counts them.</p>";
 
 /// The whole page.
 pub fn report(study: &Study) -> String {
@@ -127,10 +130,11 @@ fn origin(study: &Study) -> String {
         "<p>sunglint {} tried {tried} directions for each measurement, drawn at random from seed {}, and the hard ones \
          that have broken a method. \
          To do it again: <code>{}</code>. The same seed gives the same errors. \
-         The costs are times of this machine in this run: the median over the rounds, as a \
-         multiple of the time of f32 <code>factored</code> in the same round, with the quartiles \
-         beside it. Every worst case is given with the raw bits of its input, so that it can be \
-         computed again. The same numbers lie next to this page in <code>results.csv</code> and \
+         The costs are times of this machine in this run on the pixels of a ball in scan order, less that of an \
+         empty call: the median over the \
+         rounds, as a multiple of the time of f32 <code>factored</code> in the same round, with the \
+         quartiles beside it. Every worst case is given with the raw bits of its input (the first input, where no answer is a \
+         direction), so that it can be computed again. The same numbers lie next to this page in <code>results.csv</code> and \
          <code>results.json</code>, the first light’s charts in <code>chart.svg</code>.</p>",
         escape(&study.version),
         study.seed,
@@ -142,6 +146,9 @@ fn command(study: &Study) -> String {
     let mut command = "sunglint".to_owned();
     if study.quick {
         command += " --quick";
+    }
+    if let Some(light) = &study.light {
+        command += &format!(" --light '{}'", escape(light));
     }
     if study.seed != DEFAULT_SEED {
         command += &format!(" --seed {}", study.seed);

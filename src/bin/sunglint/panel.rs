@@ -23,9 +23,10 @@ pub const PAPER: &str = "#ffffff";
 /// Colour of the frontier.
 pub const STEP: &str = "#7a7a7a";
 const GRID: &str = "#e6e6e6";
+/// Colour of the line at the angular radius.
 pub const RADIUS: &str = "#a06a00";
 
-/// Dashes of that line.
+/// Dashes of the line at the angular radius.
 pub const RADIUS_DASHES: &str = "5 3";
 const STRIP: &str = "#999999";
 

@@ -18,7 +18,7 @@ fn ratios(options: &Options) -> impl Iterator<Item = f64> {
     (0..=count).map(move |index| 10_f64.powf(-6.0 * f64::from(index) / f64::from(count)))
 }
 
-/// All quantities in all formats that judge against f64: f64 itself is held against 160 bits in the tests.
+/// All quantities in all formats that judge against f64: f64 itself is held against 192 bits in the tests.
 pub fn measure(options: &Options, progress: &ProgressBar) -> Vec<QuantityRow> {
     progress.set_message("light quantities");
     Quantity::ALL.into_iter().flat_map(|quantity| rows(quantity, options, progress)).collect()

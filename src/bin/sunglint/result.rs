@@ -33,15 +33,18 @@ pub struct Row {
     pub total_max: f64,
     /// Root mean square of both together, in radians.
     pub total_rms: f64,
-    /// Worst error in radians that rounding the directions into the format makes by itself, for rays within 90 degrees of the
-    /// light; in none of the errors above.
+    /// Worst error in radians that rounding the directions into the format makes by itself, for rays within 90
+    /// degrees of the light; in none of the errors above.
     pub input_max: f64,
     /// Root mean square of the error from rounding the directions, in radians.
     pub input_rms: f64,
-    /// Directions that were tried.
+    /// Directions that were tried and judged.
     pub samples: u64,
-    /// Answers that held a NaN or an infinity.
-    pub non_finite: u64,
+    /// Directions that were left out, since the formula has no one answer there: beside the opposite of the light, or
+    /// where the representative point falls into the origin.
+    pub excluded: u64,
+    /// Answers that are no direction: NaN, infinity or the zero vector.
+    pub undirected: u64,
     /// `NaN`, `disc lost`, or nothing where the method works.
     pub failure: Option<String>,
     /// Angle between light and mirror direction at the worst arithmetic error, in radians.
@@ -82,6 +85,8 @@ pub struct Study {
     pub version: String,
     /// Seed of the random directions.
     pub seed: u64,
+    /// What `--light` asked for.
+    pub light: Option<String>,
     /// Whether this was a `--quick` run.
     pub quick: bool,
     /// One row per light, method and format.

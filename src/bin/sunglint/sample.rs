@@ -22,7 +22,8 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         input_max: 0.0,
         input_rms: 0.0,
         samples: 1000,
-        non_finite: 0,
+        excluded: 0,
+        undirected: 0,
         failure: None,
         worst_angle: 0.01,
         worst_l: "0x3f800000 00000000 00000000".to_owned(),
@@ -34,7 +35,7 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
 
 /// A study of `rows` alone.
 pub fn study(rows: Vec<Row>) -> Study {
-    Study { version: "0.1.0".to_owned(), seed: 1, quick: true, rows, quantities: Vec::new() }
+    Study { version: "0.1.0".to_owned(), seed: 1, light: None, quick: true, rows, quantities: Vec::new() }
 }
 
 /// A quantity that works.
