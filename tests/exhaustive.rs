@@ -1,6 +1,6 @@
 //! The light quantities over every ratio that f32 and I2F30 have from 1e-6 to 1, against the closed forms in f64.
 //!
-//! Four minutes on two cores: `cargo test --release -- --ignored --nocapture`.
+//! Four minutes on two cores: `cargo test --release --test exhaustive -- --ignored --nocapture`.
 
 use std::thread;
 
