@@ -17,8 +17,8 @@ its shape, in a number format, told by its colour and its label. Further <strong
 cheaper</strong>, further <strong>down is more exact</strong>; both axes are logarithmic. The grey \
 stairs are the Pareto frontier: for every mark off them there is another that is neither dearer nor \
 more wrong. The dashed line is an error as large as the light’s own angular radius. A hollow, crossed-out mark fails, and \
-its label says how; in the grey strip on top stands what gave no number at all. Point at a mark for \
-its numbers.</p>";
+its label says how: <em>disc lost</em> is off by half of the radius or more within ten radii of the \
+light; in the grey strip on top stands what gave no number at all. Point at a mark for its numbers.</p>";
 
 const METHODS: &str = "<p>All take the unit directions l to the light’s centre and r along the mirror \
 ray, and radius over distance, x = sin θ.</p>\n<dl>\

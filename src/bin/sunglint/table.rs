@@ -44,7 +44,8 @@ fn one_light(rows: &[&Row]) -> String {
     format!(
         "{name}, angular radius {theta} rad, along the frontier; cost in calls of f32 factored\n\
          Arithmetic error is against the exact value of the same formula,\n\
-         total error against the nearest point of the disc.\n{}\n",
+         total error against the nearest point of the disc. Disc lost: off by half of\n\
+         the radius or more within ten radii of the light.\n{}\n",
         table.trim_fmt()
     )
 }
