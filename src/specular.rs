@@ -103,13 +103,14 @@ pub fn cap<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
         (s, first + second)
     };
     let square = T::square(s);
-    let full = light.versine >= T::twice(T::WIDE_ONE);
+    let [behind, ahead] = T::STEEP;
+    // The full sphere's cosine is given as -2.
+    let full = light.cos < T::twice(behind);
     // False for NaN and infinity, one of which the square is wherever an input was not finite.
     let usable = square > T::WIDE_ZERO && square <= T::WIDE_MAX;
     if !usable {
         return if square == T::WIDE_ZERO && (toward || full) { r } else { finite(l) };
     }
-    let [behind, ahead] = T::STEEP;
     let inside = if light.cos >= ahead {
         toward && T::within(square, exponent, light.sin_square)
     } else if light.cos >= behind {

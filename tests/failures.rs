@@ -126,6 +126,9 @@ fn opposite_directions_give_the_centre() {
             for ratio in [0.0, RATIO, 0.9, 1.0] {
                 assert_eq!(cap(l, r, &sphere(ratio)), l);
             }
+            for angle in [200.0, 270.0, 355.0, 359.0, 359.9] {
+                assert_eq!(cap(l, r, &DistantSphere::of(&DistantLight::from_angle(angle).unwrap())), l);
+            }
         }
     }
     check::<f64>();
