@@ -7,7 +7,7 @@ use crate::real::{Float, Real};
 /// What the direction methods need of a light, rounded into the format `T`.
 ///
 /// Floats hold each constant rounded to nearest. Fixed point holds them with twice its fraction bits: Q28 for I2F14,
-/// Q60 for I2F30 (to f64's 53 digits, unless made from a ratio in Q30), Q32 for I16F16. `tests/light.rs` asserts it.
+/// Q60 for I2F30 (to f64's 53 digits, unless made from a ratio in Q30), Q32 for I16F16. `tests/sphere.rs` asserts it.
 ///
 /// ```
 /// use fixed::types::I2F14;

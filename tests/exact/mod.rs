@@ -1,6 +1,8 @@
 //! What the tests measure with: arithmetic in 192 bits, errors in units of the last place, and samples.
 #![allow(dead_code)] // Every test file uses its own part of this.
 
+pub mod lights;
+
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use oorandom::Rand64;

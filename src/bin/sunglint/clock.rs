@@ -100,8 +100,8 @@ impl Visitor for Build<'_> {
             Some(Method::Epic) => batch(pairs, move |l, r| epic(l, r, &unfactored)),
             Some(Method::Factored) => batch(pairs, move |l, r| factored(l, r, &sphere)),
             Some(Method::Disc) => batch(pairs, move |l, r| disc(l, r, &sphere)),
-            None => batch(pairs, |l, _| l),
             Some(Method::Cap) => batch(pairs, move |l, r| cap(l, r, &sphere)),
+            None => batch(pairs, |l, _| l),
         }
     }
 }

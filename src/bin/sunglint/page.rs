@@ -41,8 +41,8 @@ error</strong> is what the formula costs: its exact value against the nearest po
 disc. It hardly depends on the format, and no precision removes it. <strong>Total error</strong> is \
 the computed direction against the nearest point, so it holds both. A method may lead by its \
 arithmetic and yet trail by its model; hence two charts for each light, and two frontiers. The truth \
-is computed in f64, so the errors of f64 hold up to 1.5e-16 rad of the truth’s own rounding, and the \
-order among them says nothing. Left out are directions beside the opposite of the light, where all of \
+is computed in f64, so errors of some 1e-16 rad are the truth’s own rounding as much as the method’s, and \
+their order says nothing. Left out are directions beside the opposite of the light, where all of \
 the rim is as near, and where the representative point falls into the origin; the table counts them.</p>";
 
 /// The whole page.

@@ -27,6 +27,10 @@ pub extern "C" fn _start() -> ! {
         q30();
         q16();
         light();
+        #[cfg(feature = "planted_panic")]
+        keep(black_box([0; 3])[black_box(0_usize)]);
+        #[cfg(feature = "planted_float")]
+        keep(black_box(1.0_f64) + black_box(2.0_f64));
     }
 }
 
