@@ -74,7 +74,7 @@ pub use half;
 pub use micromath;
 
 pub use light::{DistantLight, LightError, SUN};
-pub use real::{Float, Real};
+pub use real::{Float, Real, Scalar};
 pub use specular::{cap, disc, epic, factored, normalize, reflect};
 pub use sphere::{DistantSphere, UnfactoredSphere};
 

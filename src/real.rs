@@ -11,8 +11,14 @@ mod float;
 pub(crate) mod half;
 #[cfg(feature = "micromath")]
 mod micro;
+mod scalar;
+#[cfg(feature = "fixed")]
+mod scaled;
 
 pub use float::Float;
+pub use scalar::{Constant, Scalar};
+#[cfg(feature = "fixed")]
+pub use scaled::Scaled;
 
 use core::fmt::Debug;
 
@@ -29,6 +35,13 @@ pub(crate) const STEEP_COSINE: f64 = 0.714;
 pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// Scalars of products: `f32` for `f32`, Q28 in an `i32` for I2F14, Q60 in an `i64` for I2F30.
     type Wide: Copy + PartialOrd + Debug + 'static;
+
+    /// Numbers of wide range, in which brightness is computed: the type itself for floats, [`Scaled`] for fixed point.
+    type Scalar: Scalar;
+
+    /// Light levels (illuminance, radiance), never negative: the type itself for floats, U16F16 for I2F14 and I16F16,
+    /// U32F32 for I2F30.
+    type Level: Copy + PartialOrd + Debug + 'static;
 
     /// Name of the format, as tables and charts print it.
     const NAME: &'static str;
@@ -63,6 +76,24 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
 
     /// `a - b`, saturating in fixed point.
     fn sub(a: Self, b: Self) -> Self;
+
+    /// A scalar of products as a number of wide range; exact but for the rounding of 60 bits to 31.
+    fn scalar(wide: Self::Wide) -> Self::Scalar;
+
+    /// The nearest scalar of products; saturates.
+    fn narrow(scalar: Self::Scalar) -> Self::Wide;
+
+    /// The lane as a number of wide range; exact.
+    fn of_lane(lane: Self) -> Self::Scalar;
+
+    /// The nearest lane; saturates.
+    fn lane(scalar: Self::Scalar) -> Self;
+
+    /// The nearest level; saturates at zero and at the greatest finite one. NaN is zero.
+    fn level(scalar: Self::Scalar) -> Self::Level;
+
+    /// The level as a number of wide range; exact but for the rounding of 64 bits to 31.
+    fn of_level(level: Self::Level) -> Self::Scalar;
 
     /// The dot product, exact in fixed point.
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self::Wide;

@@ -4,6 +4,7 @@
 
 pub mod budget;
 pub mod format;
+pub mod found;
 pub mod input;
 pub mod judge;
 pub mod lights;
@@ -11,6 +12,7 @@ pub mod method;
 pub mod quantity;
 
 pub use format::{Format, Visitor};
+pub use found::Found;
 pub use judge::{Judgement, Worst, judge};
 pub use lights::Light;
 pub use method::{Constants, Method};

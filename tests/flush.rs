@@ -3,8 +3,9 @@
 use std::ops::{Add, Div, Mul, Sub};
 
 use half::f16;
+use sunglint::real::Constant;
 use sunglint::trial::{Format, Method, budget, input, judge};
-use sunglint::{DistantSphere, Float, Real, SUN, cap, oracle};
+use sunglint::{DistantSphere, Float, Real, SUN, Scalar, cap, oracle};
 
 /// f16 whose every operation flushes subnormal arguments and results; `SCALED` with this crate's scale for squares.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -47,18 +48,10 @@ impl<const SCALED: bool> Div for Flushing<SCALED> {
     }
 }
 
-impl<const SCALED: bool> Float for Flushing<SCALED> {
-    const FORMAT: &'static str = "flushing f16";
-    const ZERO: Self = Self(<f16 as Float>::ZERO);
-    const ONE: Self = Self(<f16 as Float>::ONE);
-    const MAX: Self = Self(<f16 as Float>::MAX);
-    const STEEP: [Self; 2] = pair(<f16 as Float>::STEEP);
-    const SCALE: Self = Self(if SCALED { <f16 as Float>::SCALE } else { <f16 as Float>::ONE });
-    const SAFE_SQUARE: [Self; 2] = pair(<f16 as Float>::SAFE_SQUARE);
-    const SPLITTER: Self = Self(<f16 as Float>::SPLITTER);
-    const PI: [Self; 2] = pair(<f16 as Float>::PI);
-    const TWICE_PI: [Self; 2] = pair(<f16 as Float>::TWICE_PI);
-    const INVERSE_PI: [Self; 2] = pair(<f16 as Float>::INVERSE_PI);
+impl<const SCALED: bool> Scalar for Flushing<SCALED> {
+    const ZERO: Self = Self(<f16 as Scalar>::ZERO);
+    const ONE: Self = Self(<f16 as Scalar>::ONE);
+    const MAX: Self = Self(<f16 as Scalar>::MAX);
 
     fn nearest(value: f64) -> Self {
         flush(f16::nearest(value))
@@ -68,12 +61,27 @@ impl<const SCALED: bool> Float for Flushing<SCALED> {
         self.0.exact()
     }
 
-    fn over_root(length: Self, square: Self) -> Self {
-        flush(f16::over_root(length.0, square.0))
+    fn constant(constant: Constant) -> Self {
+        Self::nearest(constant.value())
     }
 
     fn root(self) -> Self {
         flush(self.0.root())
+    }
+}
+
+impl<const SCALED: bool> Float for Flushing<SCALED> {
+    const FORMAT: &'static str = "flushing f16";
+    const STEEP: [Self; 2] = pair(<f16 as Float>::STEEP);
+    const SCALE: Self = Self(if SCALED { <f16 as Float>::SCALE } else { <f16 as Scalar>::ONE });
+    const SAFE_SQUARE: [Self; 2] = pair(<f16 as Float>::SAFE_SQUARE);
+    const SPLITTER: Self = Self(<f16 as Float>::SPLITTER);
+    const PI: [Self; 2] = pair(<f16 as Float>::PI);
+    const TWICE_PI: [Self; 2] = pair(<f16 as Float>::TWICE_PI);
+    const INVERSE_PI: [Self; 2] = pair(<f16 as Float>::INVERSE_PI);
+
+    fn over_root(length: Self, square: Self) -> Self {
+        flush(f16::over_root(length.0, square.0))
     }
 }
 

@@ -10,7 +10,7 @@ use half::f16;
 use micromath::F32;
 use oorandom::Rand64;
 use sunglint::highlight::{exact_rp, exact_rp_q30, karis, karis_q30};
-use sunglint::{Float, LightError};
+use sunglint::{Float, LightError, Scalar};
 
 /// Pairs of a width and an angle up to `most`: the named angles with widths from 0.001 to 1, and random ones.
 fn pairs(most: f64) -> Vec<[f64; 2]> {

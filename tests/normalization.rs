@@ -14,7 +14,7 @@ use sunglint::normalization::{
     solid_angle_q30, sun_radius_at, sun_radius_at_q16, versine as versine_of, versine_q30, white_radiance,
     white_radiance_q30,
 };
-use sunglint::{DistantLight, Float, LightError, SUN};
+use sunglint::{DistantLight, Float, LightError, SUN, Scalar};
 
 /// Half of the ratios per format.
 const COUNT: u32 = 1000;

@@ -7,7 +7,7 @@ use exact::lights::{Truth, lights, ratios};
 use exact::{Big, assert_tight, big, distance, fixed, last_place, square, ulps, worst};
 use half::f16;
 use micromath::F32;
-use sunglint::{DistantLight, DistantSphere, Float, LightError, Real, SUN};
+use sunglint::{DistantLight, DistantSphere, Float, LightError, Real, SUN, Scalar};
 
 #[test]
 fn ratio_in_a_format_is_0_to_1() {

@@ -4,9 +4,9 @@
 //! `i64`, whatever the format, since that is finer than the finest lane. All arithmetic that can leave its range
 //! for vectors much longer than one wraps, so that such vectors give a wrong direction but never a panic.
 
-use fixed::types::{I2F14, I2F30, I16F16};
+use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 
-use super::{Real, STEEP_COSINE};
+use super::{Real, STEEP_COSINE, Scaled};
 use crate::constant;
 use crate::root::reciprocal_root;
 use crate::vec3::{each, zip};
@@ -110,7 +110,7 @@ pub(crate) const fn wide_i32<const FRACTION: u32>(value: f64) -> i32 {
 // A macro, since the blanket implementation for floats leaves no room for a second generic one: the compiler cannot rule
 // out that somebody makes `FixedI32<TheirFraction>` a `Float`.
 macro_rules! fixed_point {
-    ($format:ty, $name:literal, $lane:ty, $wide:ty, $unsigned:ty, $fraction:literal, $constant:path) => {
+    ($format:ty, $name:literal, $lane:ty, $wide:ty, $unsigned:ty, $level:ty, $fraction:literal, $constant:path) => {
         impl Lane for $format {
             #[inline]
             fn bits(self) -> i32 {
@@ -125,6 +125,10 @@ macro_rules! fixed_point {
 
         impl Real for $format {
             type Wide = $wide;
+
+            type Scalar = Scaled;
+
+            type Level = $level;
 
             const NAME: &'static str = $name;
 
@@ -158,6 +162,37 @@ macro_rules! fixed_point {
             #[inline]
             fn sub(a: Self, b: Self) -> Self {
                 a.saturating_sub(b)
+            }
+
+            #[inline]
+            fn scalar(wide: $wide) -> Scaled {
+                Scaled::from_bits(wide.into(), -2 * $fraction)
+            }
+
+            #[inline]
+            fn narrow(scalar: Scaled) -> $wide {
+                scalar.to_bits(2 * $fraction).clamp(<$wide>::MIN.into(), <$wide>::MAX.into()) as $wide
+            }
+
+            #[inline]
+            fn of_lane(lane: Self) -> Scaled {
+                Scaled::from_bits(lane.to_bits().into(), -$fraction)
+            }
+
+            #[inline]
+            fn lane(scalar: Scaled) -> Self {
+                Self::clamped(saturate(scalar.to_bits($fraction)))
+            }
+
+            #[inline]
+            fn level(scalar: Scaled) -> $level {
+                let bits = scalar.to_unsigned(<$level>::FRAC_NBITS);
+                <$level>::from_bits(bits.try_into().unwrap_or(<$level>::MAX.to_bits()))
+            }
+
+            #[inline]
+            fn of_level(level: $level) -> Scaled {
+                Scaled::from_unsigned(level.to_bits().into(), -(<$level>::FRAC_NBITS as i32))
             }
 
             #[inline]
@@ -216,6 +251,6 @@ macro_rules! fixed_point {
     };
 }
 
-fixed_point!(I2F14, "I2F14", i16, i32, u32, 14, wide_i32::<28>);
-fixed_point!(I2F30, "I2F30", i32, i64, u64, 30, wide_i64::<60>);
-fixed_point!(I16F16, "I16F16", i32, i64, u64, 16, wide_i64::<32>);
+fixed_point!(I2F14, "I2F14", i16, i32, u32, U16F16, 14, wide_i32::<28>);
+fixed_point!(I2F30, "I2F30", i32, i64, u64, U32F32, 30, wide_i64::<60>);
+fixed_point!(I16F16, "I16F16", i32, i64, u64, U16F16, 16, wide_i64::<32>);

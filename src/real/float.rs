@@ -1,28 +1,14 @@
 //! Float formats: one implementation of the seam for all of them.
 
-use core::fmt::Debug;
-use core::ops::{Add, Div, Mul, Sub};
-
-use super::{Real, STEEP_COSINE};
+use super::{Constant, Real, STEEP_COSINE, Scalar};
 use crate::vec3::{each, zip};
 
 /// A floating-point format: ordinary arithmetic, rounded at every step, and a reciprocal root.
 ///
 /// Implemented for `f64`, `f32`, `micromath::F32` and `half::f16`; a study may add its own.
-pub trait Float:
-    'static + Copy + PartialOrd + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
+pub trait Float: Scalar {
     /// Name of the format.
     const FORMAT: &'static str;
-
-    /// 0.
-    const ZERO: Self;
-
-    /// 1.
-    const ONE: Self;
-
-    /// The greatest finite number.
-    const MAX: Self;
 
     /// See [`Real::STEEP`].
     const STEEP: [Self; 2];
@@ -46,17 +32,8 @@ pub trait Float:
     /// 1/pi and what it lacks.
     const INVERSE_PI: [Self; 2];
 
-    /// The nearest value of the format.
-    fn nearest(value: f64) -> Self;
-
-    /// The exact value.
-    fn exact(self) -> f64;
-
     /// `length / sqrt(square)` for a positive `square`.
     fn over_root(length: Self, square: Self) -> Self;
-
-    /// The square root; zero for zero, NaN or zero for negatives.
-    fn root(self) -> Self;
 }
 
 /// Pi, as its nearest f64 and what that lacks.
@@ -74,14 +51,36 @@ pub(crate) const fn pair_f32([value, low]: [f64; 2]) -> [f32; 2] {
     [high, ((value - high as f64) + low) as f32]
 }
 
-impl Float for f64 {
-    const FORMAT: &'static str = "f64";
-
+impl Scalar for f64 {
     const ZERO: Self = 0.0;
 
     const ONE: Self = 1.0;
 
     const MAX: Self = f64::MAX;
+
+    #[inline(always)]
+    fn nearest(value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn exact(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn constant(constant: Constant) -> Self {
+        constant.value()
+    }
+
+    #[inline]
+    fn root(self) -> Self {
+        libm::sqrt(self)
+    }
+}
+
+impl Float for f64 {
+    const FORMAT: &'static str = "f64";
 
     const STEEP: [Self; 2] = [-STEEP_COSINE, STEEP_COSINE];
 
@@ -97,35 +96,42 @@ impl Float for f64 {
 
     const INVERSE_PI: [Self; 2] = INVERSE_PI;
 
-    #[inline(always)]
-    fn nearest(value: f64) -> Self {
-        value
-    }
-
-    #[inline(always)]
-    fn exact(self) -> f64 {
-        self
-    }
-
     #[inline]
     fn over_root(length: Self, square: Self) -> Self {
         length / libm::sqrt(square)
     }
-
-    #[inline]
-    fn root(self) -> Self {
-        libm::sqrt(self)
-    }
 }
 
-impl Float for f32 {
-    const FORMAT: &'static str = "f32";
-
+impl Scalar for f32 {
     const ZERO: Self = 0.0;
 
     const ONE: Self = 1.0;
 
     const MAX: Self = f32::MAX;
+
+    #[inline(always)]
+    fn nearest(value: f64) -> Self {
+        value as f32
+    }
+
+    #[inline(always)]
+    fn exact(self) -> f64 {
+        f64::from(self)
+    }
+
+    #[inline(always)]
+    fn constant(constant: Constant) -> Self {
+        constant.value() as f32
+    }
+
+    #[inline]
+    fn root(self) -> Self {
+        libm::sqrtf(self)
+    }
+}
+
+impl Float for f32 {
+    const FORMAT: &'static str = "f32";
 
     const STEEP: [Self; 2] = [-STEEP_COSINE as f32, STEEP_COSINE as f32];
 
@@ -141,35 +147,24 @@ impl Float for f32 {
 
     const INVERSE_PI: [Self; 2] = pair_f32(INVERSE_PI);
 
-    #[inline(always)]
-    fn nearest(value: f64) -> Self {
-        value as f32
-    }
-
-    #[inline(always)]
-    fn exact(self) -> f64 {
-        f64::from(self)
-    }
-
     #[inline]
     fn over_root(length: Self, square: Self) -> Self {
         length / libm::sqrtf(square)
-    }
-
-    #[inline]
-    fn root(self) -> Self {
-        libm::sqrtf(self)
     }
 }
 
 impl<T: Float> Real for T {
     type Wide = T;
 
+    type Scalar = T;
+
+    type Level = T;
+
     const NAME: &'static str = T::FORMAT;
 
-    const ZERO: Self = <T as Float>::ZERO;
+    const ZERO: Self = <T as Scalar>::ZERO;
 
-    const WIDE_ZERO: T = <T as Float>::ZERO;
+    const WIDE_ZERO: T = <T as Scalar>::ZERO;
 
     const WIDE_ONE: T = T::ONE;
 
@@ -200,6 +195,37 @@ impl<T: Float> Real for T {
     #[inline]
     fn sub(a: Self, b: Self) -> Self {
         a - b
+    }
+
+    #[inline(always)]
+    fn scalar(wide: T) -> T {
+        wide
+    }
+
+    #[inline(always)]
+    fn narrow(scalar: T) -> T {
+        scalar
+    }
+
+    #[inline(always)]
+    fn of_lane(lane: Self) -> T {
+        lane
+    }
+
+    #[inline(always)]
+    fn lane(scalar: T) -> Self {
+        scalar
+    }
+
+    #[inline]
+    fn level(scalar: T) -> T {
+        let positive = if scalar > T::WIDE_ZERO { scalar } else { T::WIDE_ZERO };
+        if positive < T::MAX { positive } else { T::MAX }
+    }
+
+    #[inline(always)]
+    fn of_level(level: T) -> T {
+        level
     }
 
     #[inline]

@@ -3,7 +3,7 @@
 use half::f16;
 
 use super::float::{INVERSE_PI, PI, TWICE_PI};
-use super::{Float, STEEP_COSINE};
+use super::{Constant, Float, STEEP_COSINE, Scalar};
 
 /// [`Float::SCALE`], for constants.
 pub(crate) const SQUARE_SCALE: f64 = 64.0;
@@ -13,14 +13,36 @@ const fn pair([value, low]: [f64; 2]) -> [f16; 2] {
     [high, nearest((value - high.to_f64_const()) + low)]
 }
 
-impl Float for f16 {
-    const FORMAT: &'static str = "f16";
-
+impl Scalar for f16 {
     const ZERO: Self = f16::from_f32_const(0.0);
 
     const ONE: Self = f16::from_f32_const(1.0);
 
     const MAX: Self = f16::MAX;
+
+    #[inline]
+    fn nearest(value: f64) -> Self {
+        nearest(value)
+    }
+
+    #[inline]
+    fn exact(self) -> f64 {
+        f64::from(self)
+    }
+
+    #[inline]
+    fn constant(constant: Constant) -> Self {
+        nearest(constant.value())
+    }
+
+    #[inline]
+    fn root(self) -> Self {
+        f16::from_f32(libm::sqrtf(f32::from(self)))
+    }
+}
+
+impl Float for f16 {
+    const FORMAT: &'static str = "f16";
 
     const STEEP: [Self; 2] = [nearest(-STEEP_COSINE), nearest(STEEP_COSINE)];
 
@@ -38,23 +60,8 @@ impl Float for f16 {
     const INVERSE_PI: [Self; 2] = pair(INVERSE_PI);
 
     #[inline]
-    fn nearest(value: f64) -> Self {
-        nearest(value)
-    }
-
-    #[inline]
-    fn exact(self) -> f64 {
-        f64::from(self)
-    }
-
-    #[inline]
     fn over_root(length: Self, square: Self) -> Self {
         length / square.root()
-    }
-
-    #[inline]
-    fn root(self) -> Self {
-        f16::from_f32(libm::sqrtf(f32::from(self)))
     }
 }
 

@@ -3,16 +3,38 @@
 use micromath::F32;
 
 use super::float::{INVERSE_PI, PI, TWICE_PI, pair_f32};
-use super::{Float, STEEP_COSINE};
+use super::{Constant, Float, STEEP_COSINE, Scalar};
 
-impl Float for F32 {
-    const FORMAT: &'static str = "micromath";
-
+impl Scalar for F32 {
     const ZERO: Self = F32(0.0);
 
     const ONE: Self = F32(1.0);
 
     const MAX: Self = F32::MAX;
+
+    #[inline(always)]
+    fn nearest(value: f64) -> Self {
+        F32(value as f32)
+    }
+
+    #[inline]
+    fn exact(self) -> f64 {
+        f64::from(self.0)
+    }
+
+    #[inline(always)]
+    fn constant(constant: Constant) -> Self {
+        F32(constant.value() as f32)
+    }
+
+    #[inline]
+    fn root(self) -> Self {
+        self * reciprocal_root(self)
+    }
+}
+
+impl Float for F32 {
+    const FORMAT: &'static str = "micromath";
 
     const STEEP: [Self; 2] = [F32(-STEEP_COSINE as f32), F32(STEEP_COSINE as f32)];
 
@@ -28,24 +50,9 @@ impl Float for F32 {
 
     const INVERSE_PI: [Self; 2] = pair(INVERSE_PI);
 
-    #[inline(always)]
-    fn nearest(value: f64) -> Self {
-        F32(value as f32)
-    }
-
-    #[inline]
-    fn exact(self) -> f64 {
-        f64::from(self.0)
-    }
-
     #[inline]
     fn over_root(length: Self, square: Self) -> Self {
         length * reciprocal_root(square)
-    }
-
-    #[inline]
-    fn root(self) -> Self {
-        self * reciprocal_root(self)
     }
 }
 

@@ -1,0 +1,76 @@
+//! The numbers that shading computes with once directions have become cosines.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Sub};
+
+#[cfg(feature = "fixed")]
+use super::Scaled;
+
+/// A number of wide range: the float format itself, or [`Scaled`](super::Scaled) integers beside fixed-point lanes.
+///
+/// A highlight of width `alpha` spans `alpha^4` to `1 / alpha^2`, more than any Q format of 32 or 64 bits holds to one
+/// per cent, so fixed point carries its exponent along.
+pub trait Scalar:
+    'static + Copy + PartialOrd + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// 0.
+    const ZERO: Self;
+
+    /// 1.
+    const ONE: Self;
+
+    /// The greatest finite number.
+    const MAX: Self;
+
+    /// The nearest value of the format.
+    fn nearest(value: f64) -> Self;
+
+    /// The exact value.
+    fn exact(self) -> f64;
+
+    /// A number that is known at compile time; brings no f64 arithmetic into integer-only code.
+    fn constant(constant: Constant) -> Self;
+
+    /// The square root; zero for zero, NaN or zero for negatives.
+    fn root(self) -> Self;
+}
+
+/// A number known at compile time, in every format that it may be needed in.
+///
+/// ```
+/// use sunglint::real::{Constant, Scalar};
+///
+/// fn half<S: Scalar>(value: S) -> S {
+///     const HALF: Constant = Constant::new(0.5);
+///     value * S::constant(HALF)
+/// }
+/// assert_eq!(half(3.0_f32), 1.5);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant {
+    value: f64,
+    #[cfg(feature = "fixed")]
+    scaled: Scaled,
+}
+
+impl Constant {
+    /// The constant nearest to `value`.
+    pub const fn new(value: f64) -> Self {
+        Self {
+            value,
+            #[cfg(feature = "fixed")]
+            scaled: Scaled::new(value),
+        }
+    }
+
+    /// The value that it was made of.
+    pub const fn value(self) -> f64 {
+        self.value
+    }
+
+    /// The same as an integer and a power of two.
+    #[cfg(feature = "fixed")]
+    pub const fn scaled(self) -> Scaled {
+        self.scaled
+    }
+}

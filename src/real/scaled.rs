@@ -1,0 +1,215 @@
+//! An integer times a power of two: what fixed point computes with where no Q format is wide enough.
+
+use core::cmp::Ordering;
+use core::ops::{Add, Div, Mul, Sub};
+
+use super::{Constant, Scalar};
+use crate::root::reciprocal_root;
+
+/// A 31-bit mantissa and a sign, Q31 in [1/2, 1), times a power of two. Integer arithmetic alone.
+///
+/// Sums and products are rounded to nearest: within 0.5 units of the last place, `2^-31` of the value or less. Quotients
+/// and roots are within 3 (`tests/scaled.rs`). There is no NaN, no infinity and no overflow: what is divided by
+/// zero is [`Scalar::MAX`] or its negative (zero for zero), and the root of a negative number is zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Scaled {
+    /// Zero, or of a size from `2^30` to `2^31 - 1`.
+    mantissa: i32,
+    exponent: i32,
+}
+
+/// So small that nothing is lost by adding it.
+const ZERO: Scaled = Scaled { mantissa: 0, exponent: -(1 << 24) };
+
+const MAX: Scaled = Scaled { mantissa: i32::MAX, exponent: 1 << 20 };
+
+impl Scaled {
+    /// `bits * 2^exponent`, to nearest.
+    #[inline]
+    pub const fn from_bits(bits: i64, exponent: i32) -> Self {
+        let free = bits.unsigned_abs().leading_zeros();
+        // The lowest number of all has no room for its sign; one less is as near as the mantissa can tell.
+        if free == 0 {
+            return Self::from_bits(bits.wrapping_add(1), exponent);
+        }
+        if bits == 0 {
+            return ZERO;
+        }
+        let aligned = bits << (free - 1);
+        let mantissa = (aligned >> 32) + ((aligned >> 31) & 1);
+        let exponent = exponent.wrapping_add(64 - free as i32);
+        // Rounded up past its end.
+        let over = mantissa == 1 << 31 || mantissa == -(1 << 31);
+        if over {
+            Self { mantissa: (mantissa / 2) as i32, exponent: exponent.wrapping_add(1) }
+        } else {
+            Self { mantissa: mantissa as i32, exponent }
+        }
+    }
+
+    /// `bits * 2^exponent`, within a unit of the last place.
+    #[inline]
+    pub const fn from_unsigned(bits: u64, exponent: i32) -> Self {
+        // The bit that is lost of numbers with 64 is far below the mantissa's last.
+        if bits >> 63 == 0 {
+            Self::from_bits(bits as i64, exponent)
+        } else {
+            Self::from_bits((bits >> 1) as i64, exponent.wrapping_add(1))
+        }
+    }
+
+    /// The number nearest to `value`; zero for NaN, [`Scalar::MAX`] or its negative for infinities. For constants.
+    pub const fn new(value: f64) -> Self {
+        let bits = value.to_bits();
+        let fraction = (bits & ((1 << 52) - 1)) as i64;
+        let magnitude = match (bits >> 52) & 0x7ff {
+            0x7ff if fraction != 0 => return ZERO,
+            0x7ff => MAX,
+            0 => Self::from_bits(fraction, -1074),
+            exponent => Self::from_bits(fraction | (1 << 52), exponent as i32 - 1075),
+        };
+        if value < 0.0 { magnitude.negative() } else { magnitude }
+    }
+
+    /// The value times `2^fraction` as an integer, to nearest, halves upwards; saturates beyond `2^62`.
+    #[inline]
+    pub const fn to_bits(self, fraction: u32) -> i64 {
+        let mantissa = self.mantissa as i64;
+        match self.places_below(fraction) {
+            shift @ 1..=32 => (mantissa >> shift) + ((mantissa >> (shift - 1)) & 1),
+            shift @ -31..=0 => mantissa << -shift,
+            shift if shift > 0 => 0,
+            _ if mantissa < 0 => i64::MIN / 2,
+            _ => i64::MAX / 2,
+        }
+    }
+
+    /// The value times `2^fraction` as an unsigned integer, to nearest; zero for negative values, saturates.
+    #[inline]
+    pub const fn to_unsigned(self, fraction: u32) -> u64 {
+        let mantissa = if self.mantissa > 0 { self.mantissa as u64 } else { 0 };
+        match self.places_below(fraction) {
+            shift @ 1..=32 => (mantissa >> shift) + ((mantissa >> (shift - 1)) & 1),
+            shift @ -33..=0 => mantissa << -shift,
+            shift if shift > 0 || mantissa == 0 => 0,
+            _ => u64::MAX,
+        }
+    }
+
+    /// How many of the mantissa's bits lie below `2^-fraction`.
+    #[inline]
+    const fn places_below(self, fraction: u32) -> i32 {
+        31_i32.wrapping_sub(fraction as i32).wrapping_sub(self.exponent)
+    }
+
+    #[inline]
+    const fn negative(self) -> Self {
+        Self { mantissa: -self.mantissa, ..self }
+    }
+
+    /// `1 / sqrt(self)` of a positive number.
+    #[inline]
+    fn reciprocal_root(self) -> Self {
+        // An even exponent leaves the mantissa in [1/4, 1) of 32 bits.
+        let odd = self.exponent & 1;
+        let mantissa = (self.mantissa as u32) << (1 - odd);
+        let root = reciprocal_root(mantissa);
+        Self::from_bits(root.into(), (self.exponent.wrapping_add(odd) / 2).wrapping_neg().wrapping_sub(31))
+    }
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        let (great, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
+        let lower = great.exponent.wrapping_sub(small.exponent);
+        if lower > 33 {
+            return great;
+        }
+        let sum = (i64::from(great.mantissa) << 31) + ((i64::from(small.mantissa) << 31) >> lower);
+        Self::from_bits(sum, great.exponent.wrapping_sub(62))
+    }
+
+    /// Negated where `other` is negative.
+    #[inline]
+    fn signed_by(self, other: Self) -> Self {
+        if other.mantissa < 0 { self.negative() } else { self }
+    }
+}
+
+impl Add for Scaled {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        self.plus(other)
+    }
+}
+
+impl Sub for Scaled {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self.plus(other.negative())
+    }
+}
+
+impl Mul for Scaled {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let product = i64::from(self.mantissa) * i64::from(other.mantissa);
+        Self::from_bits(product, self.exponent.wrapping_add(other.exponent).wrapping_sub(62))
+    }
+}
+
+impl Div for Scaled {
+    type Output = Self;
+
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        match (self.mantissa, other.mantissa) {
+            (0, _) => ZERO,
+            (_, 0) => MAX.signed_by(self),
+            _ => {
+                // No division instruction, and none of the library's: the square of the reciprocal root.
+                let size = Self { mantissa: other.mantissa.wrapping_abs(), ..other };
+                let root = size.reciprocal_root();
+                (self * root * root).signed_by(other)
+            }
+        }
+    }
+}
+
+impl PartialOrd for Scaled {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        (*self - *other).mantissa.partial_cmp(&0)
+    }
+}
+
+impl Scalar for Scaled {
+    const ZERO: Self = ZERO;
+
+    const ONE: Self = Self::new(1.0);
+
+    const MAX: Self = MAX;
+
+    fn nearest(value: f64) -> Self {
+        Self::new(value)
+    }
+
+    fn exact(self) -> f64 {
+        libm::scalbn(f64::from(self.mantissa), self.exponent.saturating_sub(31))
+    }
+
+    #[inline]
+    fn constant(constant: Constant) -> Self {
+        constant.scaled()
+    }
+
+    #[inline]
+    fn root(self) -> Self {
+        if self.mantissa > 0 { self * self.reciprocal_root() } else { ZERO }
+    }
+}

@@ -1,0 +1,41 @@
+//! What came of comparing a kernel with its truth on many inputs.
+
+/// Worst and mean square of an error, and where the worst was.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// The greatest error; infinite if any answer was not a number.
+    pub max: f64,
+    /// Inputs of the greatest error, as rounded into the format; unused places are zero.
+    pub worst: [f64; 6],
+    /// Inputs that were tried.
+    pub samples: u64,
+    sum_square: f64,
+}
+
+impl Found {
+    /// Nothing tried yet.
+    pub const fn new() -> Self {
+        Self { max: 0.0, worst: [0.0; 6], samples: 0, sum_square: 0.0 }
+    }
+
+    /// Takes in `error`, found at `input`.
+    pub fn add(&mut self, error: f64, input: [f64; 6]) {
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        self.samples += 1;
+        self.sum_square += error * error;
+        if error > self.max {
+            (self.max, self.worst) = (error, input);
+        }
+    }
+
+    /// Root mean square of the errors; zero of none.
+    pub fn rms(&self) -> f64 {
+        libm::sqrt(self.sum_square / self.samples.max(1) as f64)
+    }
+}
+
+impl Default for Found {
+    fn default() -> Self {
+        Self::new()
+    }
+}
