@@ -1,119 +1,100 @@
-//! How bright is a highlight that has been widened to the size of the light? Factors that keep its energy.
+//! Highlight: how bright is a glossy surface under a disc in the sky?
 //!
-//! `alpha` is the GGX width (perceptual roughness squared), `x` radius over distance, `theta` the angular radius.
+//! The answer of every method is the radiance that leaves towards `v`, divided by the light's illuminance on a plane
+//! that faces it: `D V F (n.l)` of the microfacet model with GGX, height-correlated Smith and Schlick, averaged over
+//! the disc or as near to that as the method comes. `alpha` is the GGX width (perceptual roughness squared), `x`
+//! radius over distance, `w` the versine.
+//!
+//! | type | what it does | model error at the Sun: normal incidence, up to 60, up to 80 degrees |
+//! |---|---|---|
+//! | [`PointGgx::none`] | GGX at the disc's point that [`cap`](crate::cap) finds | 29, 53, 140 |
+//! | [`PointGgx::karis`] | the same times `(alpha / (alpha + x/2))^2` | 0.30, 0.74, 3.5 |
+//! | [`PointGgx::karis_third`] | the same with `x/3` | |
+//! | [`PointGgx::exact_rp`] | the same with the shape's own energy | |
+//! | [`DiscGgx::new`] | GGX averaged over the disc, one closed form | |
+//! | [`DiscGgx::directional`] | the same, the disc seen as an ellipse | |
+//! | [`ConeGgx`] | GGX integrated over the cone of half vectors, exactly | |
+//! | [`ShiftedConeGgx`] | the same, the rest of the model taken beside the mirror ray under large lights | |
+//!
+//! `1 - (n.h)^2` is never formed by subtraction. Nothing overflows: a method works in units of its highlight's own
+//! width, and the peak `1 / (pi alpha^2)`, which f16 cannot hold, is multiplied in last, a width at a time.
+//!
+//! In fixed point every factor here is a [`Scaled`](crate::real::Scaled): a 31-bit mantissa (Q31) with an exponent of
+//! its own. Cosines come from Q28 or Q60 dot products, `1 - (n.h)^2` from a cross product that is exact.
 
-use core::f64::consts::FRAC_PI_2;
+mod cone;
+mod disc;
+mod energy;
+mod microfacet;
+mod point;
 
-use crate::light::LightError;
-use crate::real::{Float, Real};
+pub use cone::{ConeGgx, ShiftedConeGgx};
+pub use disc::DiscGgx;
+pub use energy::{exact_rp, karis};
+#[cfg(feature = "fixed")]
+pub use energy::{exact_rp_q30, karis_q30};
+pub use microfacet::{schlick, smith};
+pub use point::PointGgx;
 
-/// Karis's factor `(alpha / alpha')^2` with `alpha' = sat(alpha + x / 2)`; 1 for `alpha = x = 0`.
-///
-/// The quotient is squared, not the widths: alpha squared is zero in narrow formats. Within 4 ULP in the float formats
-/// (`tests/highlight.rs`). In f16 answers below 6e-5 are subnormal.
-///
-/// # Errors
-/// [`LightError::Alpha`] and [`LightError::Ratio`] where an argument is NaN or out of 0 to 1.
-pub fn karis<T: Float>(alpha: T, ratio: T) -> Result<T, LightError> {
-    let alpha = checked(alpha)?;
-    let allowed = ratio >= T::WIDE_ZERO && ratio <= T::WIDE_ONE;
-    if !allowed {
-        return Err(LightError::Ratio(ratio.exact()));
-    }
-    // Twice the widths, since half of a small ratio may have digits that f16 cannot hold.
-    let (width, two) = (alpha + alpha, T::WIDE_ONE + T::WIDE_ONE);
-    let sum = width + ratio;
-    let widened = if sum > two { two } else { sum };
-    if widened == T::WIDE_ZERO {
-        return Ok(T::WIDE_ONE);
-    }
-    let quotient = width / widened;
-    Ok(quotient * quotient)
+use crate::real::{Constant, Real, Scalar};
+
+/// A method of shading a glossy surface of one roughness under one light, its constants computed.
+pub trait Highlight<T: Real>: Copy {
+    /// The highlight that a surface of normal `n` sends to `v` of a light whose centre is at `l`, all of unit length.
+    ///
+    /// Zero where the surface faces away from the light's centre or from the viewer, and for NaN.
+    fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar>;
 }
 
-/// The exact small-angle energy of the representative point's highlight, inverted: `1 / (1 + (pi/2) t + t^2)` with
-/// `t = theta / (2 alpha)`; 1 for `theta = 0`, else 0 for `alpha = 0`.
-///
-/// Within 4 ULP in the float formats (`tests/highlight.rs`). In f16 answers below 6e-5 are subnormal.
-///
-/// # Errors
-/// [`LightError::Alpha`] where `alpha` is NaN or out of 0 to 1; [`LightError::SphereAngularRadius`] where `theta` is
-/// NaN or out of 0 to pi/2.
-pub fn exact_rp<T: Float>(alpha: T, theta: T) -> Result<T, LightError> {
-    let (zero, one, right) = (T::WIDE_ZERO, T::WIDE_ONE, T::nearest(FRAC_PI_2));
-    let alpha = checked(alpha)?;
-    if !(theta >= zero && theta <= right) {
-        return Err(LightError::SphereAngularRadius(theta.exact()));
+/// A highlight without its colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gloss<S> {
+    /// `D V (n.l)` without the square of `gain`, in 1/sr.
+    pub level: S,
+    /// One over the highlight's width: `D V (n.l)` is `level * gain * gain`, which may overflow f16.
+    pub gain: S,
+    /// Schlick's weight `(1 - v.h)^5`: of the reflectance that is missing at normal incidence, the share that is added.
+    pub fresnel: S,
+}
+
+impl<S: Scalar> Gloss<S> {
+    /// No highlight.
+    pub const DARK: Self = Self { level: S::ZERO, gain: S::ONE, fresnel: S::ZERO };
+
+    /// Radiance towards the viewer under a light of `illuminance`, for a reflectance at normal incidence of `f0`.
+    #[inline]
+    pub fn radiance(&self, illuminance: S, f0: S) -> S {
+        let reflectance = f0 + (S::ONE - f0) * self.fresnel;
+        self.level * (illuminance * reflectance) * self.gain * self.gain
     }
-    if theta == zero {
-        return Ok(one);
-    }
-    let width = alpha + alpha;
-    // Of t and 1 / t the one that is at most 1, so that no square overflows.
-    if theta <= width {
-        let t = theta / width;
-        Ok(one / (one + t * (right + t)))
+}
+
+/// 1/2.
+pub(crate) const HALF: Constant = Constant::new(0.5);
+
+/// 1/pi.
+pub(crate) const INVERSE_PI: Constant = Constant::new(core::f64::consts::FRAC_1_PI);
+
+/// `sqrt(a^2 + b^2)` of numbers that are not negative, without their squares.
+#[inline]
+pub(crate) fn hypotenuse<S: Scalar>(a: S, b: S) -> S {
+    let (great, small) = if a > b { (a, b) } else { (b, a) };
+    if great > S::ZERO {
+        let ratio = small / great;
+        great * (S::ONE + ratio * ratio).root()
     } else {
-        let inverse = width / theta;
-        Ok(inverse * (inverse / (one + inverse * (right + inverse))))
+        S::ZERO
     }
 }
 
-fn checked<T: Float>(alpha: T) -> Result<T, LightError> {
-    let allowed = alpha >= T::WIDE_ZERO && alpha <= T::WIDE_ONE;
-    if allowed { Ok(alpha) } else { Err(LightError::Alpha(alpha.exact())) }
+/// Whether a number is above zero; false for NaN.
+#[inline]
+pub(crate) fn positive<S: Scalar>(value: S) -> bool {
+    value > S::ZERO
 }
 
-#[cfg(feature = "fixed")]
-pub use fixed_point::{exact_rp_q30, karis_q30};
-
-#[cfg(feature = "fixed")]
-mod fixed_point {
-    use fixed::types::I2F30;
-
-    use super::LightError;
-
-    /// Pi in Q29.
-    const PI_Q29: u128 = 1_686_629_713;
-
-    /// [`karis`](super::karis) in integers, I2F30 in and out. Within 1 LSB.
-    ///
-    /// # Errors
-    /// [`LightError::AlphaQ30`] and [`LightError::RatioQ30`] where an argument is out of 0 to 1.
-    pub fn karis_q30(alpha: I2F30, ratio: I2F30) -> Result<I2F30, LightError> {
-        let alpha = unit(alpha).map_err(LightError::AlphaQ30)?;
-        let ratio = unit(ratio).map_err(LightError::RatioQ30)?;
-        // In Q31, so that half of the ratio is exact.
-        let widened = (2 * alpha + ratio).min(1 << 31);
-        Ok(fraction(4 * alpha * alpha, widened * widened))
-    }
-
-    /// [`exact_rp`](super::exact_rp) in integers, I2F30 in and out. Within 1 LSB.
-    ///
-    /// # Errors
-    /// [`LightError::AlphaQ30`] where `alpha` is out of 0 to 1, [`LightError::AngularRadiusQ30`] where `theta` is
-    /// negative or above pi/2.
-    pub fn exact_rp_q30(alpha: I2F30, theta: I2F30) -> Result<I2F30, LightError> {
-        let alpha = unit(alpha).map_err(LightError::AlphaQ30)?;
-        let theta = match u128::try_from(theta.to_bits()) {
-            Ok(theta) if theta <= PI_Q29 => theta,
-            _ => return Err(LightError::AngularRadiusQ30(theta.to_bits())),
-        };
-        // Both sides of the fraction times 4 alpha^2, so that t, which may be in the hundreds, is never formed.
-        let energy = 4 * alpha * alpha;
-        Ok(fraction(energy << 29, (energy << 29) + PI_Q29 * alpha * theta + ((theta * theta) << 29)))
-    }
-
-    fn unit(value: I2F30) -> Result<u128, i32> {
-        match value.to_bits() {
-            bits @ 0..=0x4000_0000 => Ok(bits as u128),
-            bits => Err(bits),
-        }
-    }
-
-    /// `part / whole` in Q30, to nearest; 1 for 0 / 0.
-    fn fraction(part: u128, whole: u128) -> I2F30 {
-        let bits = ((part << 30) + whole / 2).checked_div(whole).unwrap_or(1 << 30);
-        I2F30::from_bits(bits as i32)
-    }
+/// The lesser of two numbers; `limit` where `value` is NaN.
+#[inline]
+pub(crate) fn at_most<S: Scalar>(value: S, limit: S) -> S {
+    if value < limit { value } else { limit }
 }

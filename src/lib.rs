@@ -51,6 +51,7 @@
 mod constant;
 pub mod highlight;
 pub mod light;
+pub mod material;
 pub mod normalization;
 #[cfg(feature = "oracle")]
 pub mod oracle;
@@ -60,6 +61,8 @@ pub mod raw;
 pub mod real;
 #[cfg(feature = "fixed")]
 mod root;
+#[cfg(feature = "heapless")]
+pub mod scene;
 pub mod specular;
 pub mod sphere;
 #[cfg(feature = "oracle")]

@@ -126,4 +126,27 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
 
     /// `v` at unit length; zero where `v` is zero or not finite.
     fn normalize(v: [Self; 3]) -> [Self; 3];
+
+    /// The half vector of `l` and `v` as the normal `n` sees it; see [`Halfway`].
+    fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: Self::Scalar) -> Halfway<Self::Scalar>;
 }
+
+/// How far a half vector `h` of `l` and `v` leans from the normal `n`, in units of a highlight's width.
+///
+/// Floats take the tilt from `n - h`, which is exact where the two are close, fixed point from `n x (l + v)` and `n.(l -
+/// v)`, which are exact everywhere. Where `l = -v`, all of it is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Halfway<S> {
+    /// `(v.h)^2`, which is `|l + v|^2 / 4`.
+    pub v_dot_h_square: S,
+    /// `(1 - (n.h)^2) gain^2`, at most [`MOST_TILT`].
+    pub tilt: S,
+    /// The part of that along `l - v`; half of it where `l = v`, when every direction is as good.
+    pub in_plane: S,
+}
+
+/// Limit of a tilt: farther out than 173 widths a highlight is below `1e-9` of its peak, and f16 has room for this much.
+pub const MOST_TILT: f64 = 30_000.0;
+
+/// [`MOST_TILT`] in every format.
+pub(crate) const TILT_LIMIT: Constant = Constant::new(MOST_TILT);

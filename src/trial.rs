@@ -10,9 +10,11 @@ pub mod judge;
 pub mod lights;
 pub mod method;
 pub mod quantity;
+pub mod shading;
 
 pub use format::{Format, Visitor};
 pub use found::Found;
 pub use judge::{Judgement, Worst, judge};
 pub use lights::Light;
 pub use method::{Constants, Method};
+pub use shading::{Shading, ShadingVisitor};

@@ -6,8 +6,9 @@
 
 use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 
-use super::{Real, STEEP_COSINE, Scaled};
+use super::{Halfway, Real, STEEP_COSINE, Scalar, Scaled, TILT_LIMIT};
 use crate::constant;
+use crate::highlight::{at_most, positive};
 use crate::root::reciprocal_root;
 use crate::vec3::{each, zip};
 
@@ -88,6 +89,45 @@ fn normalize<const F: u32>(v: Lanes) -> Lanes {
     }
     let (mantissa, half) = unit(square);
     each(v, |lane| saturate(round_shift(product(mantissa as i64, lane), 63 - F - half)))
+}
+
+/// Squared sine and cosines of the half vector from integers alone: cross and dot products are exact.
+#[inline]
+fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled) -> Halfway<Scaled> {
+    let exponent = -(F as i32);
+    let sum = zip(l, v, |l, v| i64::from(l) + i64::from(v));
+    let lacking = zip(l, v, |l, v| i64::from(l) - i64::from(v));
+    let square = sum_of_squares(each(sum, |lane| Scaled::from_bits(lane, exponent)));
+    let quarter = Scaled::from_bits(1, -2);
+    let v_dot_h_square = square * quarter;
+    if !positive(v_dot_h_square) {
+        return Halfway { v_dot_h_square: Scaled::ZERO, tilt: Scaled::ZERO, in_plane: Scaled::ZERO };
+    }
+    let gain_square = gain * gain;
+    let scaled = |bits| Scaled::from_bits(bits, 2 * exponent);
+    let limit = Scaled::constant(TILT_LIMIT);
+    let tilt = at_most(sum_of_squares(each(cross(n, sum), scaled)) / square * gain_square, limit);
+    let across = sum_of_squares(each(lacking, |lane| Scaled::from_bits(lane, exponent)));
+    let in_plane = if across > Scaled::ZERO {
+        let [x, y, z] = zip(n, lacking, |n, lacking| i64::from(n).wrapping_mul(lacking));
+        let along = scaled(x.wrapping_add(y).wrapping_add(z));
+        at_most(along * along / across * gain_square, tilt)
+    } else {
+        tilt * Scaled::from_bits(1, -1)
+    };
+    Halfway { v_dot_h_square, tilt, in_plane }
+}
+
+#[inline]
+fn sum_of_squares([x, y, z]: [Scaled; 3]) -> Scaled {
+    x * x + y * y + z * z
+}
+
+#[inline]
+fn cross(a: Lanes, b: [i64; 3]) -> [i64; 3] {
+    let minor =
+        |p: i32, q: i64, r: i32, s: i64| i64::from(p).wrapping_mul(q).wrapping_sub(i64::from(r).wrapping_mul(s));
+    [minor(a[1], b[2], a[2], b[1]), minor(a[2], b[0], a[0], b[2]), minor(a[0], b[1], a[1], b[0])]
 }
 
 /// A wide constant in `fraction` fraction bits.
@@ -240,6 +280,11 @@ macro_rules! fixed_point {
             #[inline]
             fn normalize(v: [Self; 3]) -> [Self; 3] {
                 each(normalize::<$fraction>(each(v, Lane::bits)), Lane::clamped)
+            }
+
+            #[inline]
+            fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: Scaled) -> Halfway<Scaled> {
+                halfway::<$fraction>(each(n, Lane::bits), each(l, Lane::bits), each(v, Lane::bits), gain)
             }
         }
 

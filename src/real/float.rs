@@ -1,6 +1,7 @@
 //! Float formats: one implementation of the seam for all of them.
 
-use super::{Constant, Real, STEEP_COSINE, Scalar};
+use super::{Constant, Halfway, Real, STEEP_COSINE, Scalar, TILT_LIMIT};
+use crate::highlight::{HALF, at_most};
 use crate::vec3::{each, zip};
 
 /// A floating-point format: ordinary arithmetic, rounded at every step, and a reciprocal root.
@@ -281,6 +282,23 @@ impl<T: Float> Real for T {
         }
         let k = T::over_root(T::ONE, square);
         each(v, |lane| lane * k)
+    }
+
+    #[inline]
+    fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: T) -> Halfway<T> {
+        let (zero, half) = (T::WIDE_ZERO, T::constant(HALF));
+        let sum = zip(l, v, |l, v| (l + v) * half);
+        let v_dot_h_square = Self::dot(sum, sum);
+        let h = Self::normalize(sum);
+        let lean = zip(n, h, Self::sub);
+        let chord = Self::dot(lean, lean) * half * half;
+        let lean = each(lean, |lane| lane * gain);
+        let limit = T::constant(TILT_LIMIT);
+        let tilt = at_most(Self::dot(lean, lean) * (T::ONE - chord), limit);
+        let across = Self::normalize(zip(l, v, Self::sub));
+        let along = Self::dot(lean, across);
+        let in_plane = if Self::dot(across, across) > zero { at_most(along * along, tilt) } else { tilt * half };
+        Halfway { v_dot_h_square, tilt, in_plane }
     }
 }
 

@@ -1,0 +1,114 @@
+//! GGX averaged over the disc, in closed form where the disc is seen as a circle.
+
+use super::microfacet::{schlick, smith};
+use super::{Gloss, HALF, Highlight, INVERSE_PI, hypotenuse, positive};
+use crate::real::{Halfway, Real, Scalar};
+use crate::sphere::DistantSphere;
+
+/// GGX averaged over the disc: `D = 2 alpha^2 / (pi R (R + p))`, `p = alpha^2 z^2 + m - T`, `R = sqrt(p^2 + 4 alpha^2
+/// z^2 T)`, with `z = n.h`, `m = 1 - z^2`, `T = w / (2 (v.h))`; for `p < 0` the equal `(R - p) / (2 pi T z^2 R)`.
+///
+/// GGX's slopes are the stereographic projection of an even distribution over the sphere, and the projection of a
+/// circle is a circle. The disc's image in the half vectors is one at normal incidence; off it, an ellipse with the
+/// same area, which [`directional`](Self::directional) makes up for in part and [`ConeGgx`](super::ConeGgx) fully.
+///
+/// For `alpha = 0` the answer is a sharp image of that circle; for `x = 0` it is GGX; for both it is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiscGgx<T: Real> {
+    width: Width<T::Scalar>,
+    directional: bool,
+}
+
+/// A roughness and a disc in units of the highlight's width `b`, `b^2 = alpha^2 + w/2`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Width<S> {
+    pub(super) alpha: S,
+    /// `(alpha / b)^2`.
+    pub(super) alpha_square: S,
+    /// The versine, which f16 holds as a subnormal number if at all.
+    pub(super) versine: S,
+    /// `w / b^2`.
+    pub(super) disc: S,
+    /// `b`.
+    pub(super) width: S,
+    /// `1 / b`; 0 for a mirror under a point.
+    pub(super) inverse: S,
+}
+
+impl<S: Scalar> Width<S> {
+    pub(super) fn of<T: Real<Scalar = S>>(sphere: &DistantSphere<T>, alpha: S) -> Self {
+        let versine = T::scalar(sphere.versine());
+        // sqrt(w / 2) is x / sqrt(2 (1 + cos)): neither is subnormal in f16.
+        let cosine = S::ONE - versine;
+        let half = T::scalar(sphere.sin()) / (S::ONE + S::ONE + cosine + cosine).root();
+        let width = hypotenuse(alpha, half);
+        if !positive(width) {
+            return Self { alpha, alpha_square: S::ZERO, versine, disc: S::ZERO, width, inverse: S::ZERO };
+        }
+        let (rough, flat) = (alpha / width, half / width);
+        let disc = flat * flat;
+        Self { alpha, alpha_square: rough * rough, versine, disc: disc + disc, width, inverse: S::ONE / width }
+    }
+}
+
+impl<T: Real> DiscGgx<T> {
+    /// The disc's image in the half vectors taken to be a circle: one root.
+    pub fn new(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
+        Self { width: Width::of(sphere, alpha), directional: false }
+    }
+
+    /// With `T` in `p` alone widened along the ellipse's long axis: `T_p = (w/2) (m + alpha^2 z^2) / (m_d + m_o (v.h)^2
+    /// + alpha^2 z^2 (v.h))`, `m_d` being the part of `m` in the plane of `l` and `v`, and `m_o` the rest.
+    pub fn directional(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
+        Self { width: Width::of(sphere, alpha), directional: true }
+    }
+
+    /// `pi b^2 D`.
+    #[inline]
+    fn shape(&self, halfway: &Halfway<T::Scalar>, v_dot_h: T::Scalar) -> T::Scalar {
+        let zero = T::Scalar::ZERO;
+        let Width { alpha_square: a, disc, width, .. } = self.width;
+        let m = halfway.tilt;
+        let cosine_square = T::Scalar::ONE - m * width * width;
+        let rough = a * cosine_square;
+        let half_disc = disc * T::Scalar::constant(HALF);
+        let circle = half_disc / v_dot_h;
+        let along = if self.directional {
+            let across = (m - halfway.in_plane) * halfway.v_dot_h_square;
+            let spread = halfway.in_plane + across + rough * v_dot_h;
+            if spread > zero { half_disc * (m + rough) / spread } else { circle }
+        } else {
+            circle
+        };
+        let p = rough + m - along;
+        let root = (rough * circle).root();
+        let size = hypotenuse(if p < zero { zero - p } else { p }, root + root);
+        if !positive(size) {
+            return zero;
+        }
+        if p < zero {
+            let spread = circle * cosine_square;
+            (size - p) / size / (spread + spread)
+        } else {
+            (a + a) / size / (size + p)
+        }
+    }
+}
+
+impl<T: Real> Highlight<T> for DiscGgx<T> {
+    #[inline]
+    fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar> {
+        let [n_dot_l, n_dot_v] = [l, v].map(|direction| T::scalar(T::dot(n, direction)));
+        let visibility = smith(n_dot_l, n_dot_v, self.width.alpha);
+        if !positive(visibility) {
+            return Gloss::DARK;
+        }
+        let halfway = T::halfway(n, l, v, self.width.inverse);
+        let v_dot_h = halfway.v_dot_h_square.root();
+        let shape = self.shape(&halfway, v_dot_h);
+        // The mean over the disc is per solid angle, illuminance per projected one: pi x^2 = 2 pi w (1 - w/2).
+        let facing = T::Scalar::ONE - self.width.versine * T::Scalar::constant(HALF);
+        let level = visibility * shape * T::Scalar::constant(INVERSE_PI) / facing;
+        Gloss { level, gain: self.width.inverse, fresnel: schlick(v_dot_h) }
+    }
+}

@@ -1,0 +1,94 @@
+//! GGX at one point of the disc, with a factor that keeps the energy.
+
+use super::microfacet::{schlick, smith};
+use super::{Gloss, HALF, Highlight, INVERSE_PI, positive};
+use crate::real::{Constant, Real, Scalar};
+use crate::specular::{cap, reflect};
+use crate::sphere::DistantSphere;
+
+/// GGX at the point of the disc that the mirror ray sees or comes nearest to, times an energy factor.
+///
+/// `D = k / (pi alpha^2 (z^2 + m / alpha^2)^2)`, `z = n.h`, `m = 1 - z^2`, `h` between `v` and the point that
+/// [`cap`] finds. The factor `k` is part of the peak `k / (pi alpha^2) = 1 / (pi b^2)`:
+///
+/// | constructor | `b` |
+/// |---|---|
+/// | [`none`](Self::none) | `alpha` |
+/// | [`karis`](Self::karis) | `alpha + x/2`, at most 1 |
+/// | [`karis_third`](Self::karis_third) | `alpha + x/3`, at most 1 |
+/// | [`exact_rp`](Self::exact_rp) | `sqrt(alpha^2 + (pi/4) alpha x + x^2 / 4)` |
+///
+/// For `alpha = 0` the highlight is a sharp image of the disc, of radiance 0 in [`none`](Self::none) (its peak is infinite)
+/// and of the right one in the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointGgx<T: Real> {
+    sphere: DistantSphere<T>,
+    alpha: T::Scalar,
+    inverse_alpha: T::Scalar,
+    gain: T::Scalar,
+}
+
+const THIRD: Constant = Constant::new(1.0 / 3.0);
+const QUARTER_PI: Constant = Constant::new(core::f64::consts::FRAC_PI_4);
+
+impl<T: Real> PointGgx<T> {
+    /// No energy factor: too bright by the ratio of the disc's area to the highlight's.
+    pub fn none(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
+        Self::of_width(sphere, alpha, alpha)
+    }
+
+    /// Karis's factor `(alpha / alpha')^2`, `alpha' = sat(alpha + x/2)` (course notes, 2013).
+    pub fn karis(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
+        Self::widened(sphere, alpha, T::Scalar::constant(HALF))
+    }
+
+    /// The same with `x/3`, as later engines have it.
+    pub fn karis_third(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
+        Self::widened(sphere, alpha, T::Scalar::constant(THIRD))
+    }
+
+    /// The factor that makes the energy right at normal incidence for small angles: `1 / (1 + (pi/2) t + t^2)` with
+    /// `t = x / (2 alpha)`.
+    pub fn exact_rp(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
+        let half = T::scalar(sphere.sin()) * T::Scalar::constant(HALF);
+        // b^2 = alpha^2 + (pi/2) alpha (x/2) + (x/2)^2, whose terms would be subnormal in f16.
+        let (great, small) = if alpha > half { (alpha, half) } else { (half, alpha) };
+        let ratio = if great > T::Scalar::ZERO { small / great } else { T::Scalar::ZERO };
+        let (one, twice_quarter) = (T::Scalar::ONE, T::Scalar::constant(QUARTER_PI) + T::Scalar::constant(QUARTER_PI));
+        Self::of_width(sphere, alpha, great * (one + ratio * (twice_quarter + ratio)).root())
+    }
+
+    fn widened(sphere: &DistantSphere<T>, alpha: T::Scalar, share: T::Scalar) -> Self {
+        let width = alpha + T::scalar(sphere.sin()) * share;
+        Self::of_width(sphere, alpha, super::at_most(width, T::Scalar::ONE))
+    }
+
+    fn of_width(sphere: &DistantSphere<T>, alpha: T::Scalar, width: T::Scalar) -> Self {
+        let inverse = |value: T::Scalar| if value > T::Scalar::ZERO { T::Scalar::ONE / value } else { T::Scalar::ZERO };
+        Self { sphere: *sphere, alpha, inverse_alpha: inverse(alpha), gain: inverse(width) }
+    }
+}
+
+impl<T: Real> Highlight<T> for PointGgx<T> {
+    #[inline]
+    fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar> {
+        let r = reflect(n, v);
+        let point = cap(l, r, &self.sphere);
+        let [n_dot_l, n_dot_v] = [point, v].map(|direction| T::scalar(T::dot(n, direction)));
+        let visibility = smith(n_dot_l, n_dot_v, self.alpha);
+        if !positive(visibility) {
+            return Gloss::DARK;
+        }
+        let halfway = T::halfway(n, point, v, self.inverse_alpha);
+        let shape = if self.alpha > T::Scalar::ZERO {
+            let rest = T::Scalar::ONE - halfway.tilt * self.alpha * self.alpha + halfway.tilt;
+            T::Scalar::ONE / rest / rest
+        } else if point == r {
+            T::Scalar::ONE
+        } else {
+            T::Scalar::ZERO
+        };
+        let level = visibility * shape * T::Scalar::constant(INVERSE_PI);
+        Gloss { level, gain: self.gain, fresnel: schlick(halfway.v_dot_h_square.root()) }
+    }
+}

@@ -1,0 +1,218 @@
+//! The least scene: some distant lights, one material, no geometry.
+//!
+//! ```
+//! use sunglint::material::{Material, Surface};
+//! use sunglint::scene::{Lamp, Scene};
+//! use sunglint::{DistantSphere, SUN};
+//!
+//! const SUN_F32: DistantSphere<f32> = DistantSphere::<f32>::new(&SUN);
+//!
+//! let sea = Material::new([0.01, 0.03, 0.05], 0.02, [0.02; 3])?;
+//! let mut scene = Scene::<f32, 1>::new(&Surface::of(&sea));
+//! // Illuminance pi makes a white surface that faces the light exactly white.
+//! scene.push(&Lamp::new([0.6, 0.0, 0.8], SUN_F32, [core::f32::consts::PI; 3])?)?;
+//! let [red, green, blue] = scene.shade([0.0, 0.0, 1.0], [-0.6, 0.0, 0.8]);
+//! assert!(red > 10.0 && blue > red);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+//!
+//! In I2F14 and I2F30 all of this is integer arithmetic: directions in Q14 or Q30, cosines in Q28 or Q60, brightness in
+//! [`Scaled`](crate::real::Scaled) numbers, light levels in U16F16 or U32F32, which saturate.
+
+use core::fmt;
+
+use crate::highlight::{ConeGgx, Gloss, Highlight};
+use crate::material::Surface;
+use crate::real::{Constant, Real, Scalar};
+use crate::sphere::DistantSphere;
+
+/// A distant light where it stands: direction, size, and how bright it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lamp<T: Real> {
+    direction: [T; 3],
+    sphere: DistantSphere<T>,
+    illuminance: [T::Scalar; 3],
+}
+
+impl<T: Real> Lamp<T> {
+    /// A light whose centre is in the unit `direction` from every surface, and that gives a surface that faces it
+    /// `illuminance` in red, green and blue: 0 to the greatest level, in any unit; radiances come out in that unit per
+    /// steradian.
+    ///
+    /// # Errors
+    /// [`SceneError::Direction`] where the length is not within a tenth of 1, [`SceneError::Illuminance`] for negative,
+    /// infinite and NaN levels.
+    pub fn new(
+        direction: [T; 3],
+        sphere: DistantSphere<T>,
+        illuminance: [T::Level; 3],
+    ) -> Result<Self, SceneError<T::Scalar>> {
+        const SHORT: Constant = Constant::new(0.81);
+        const LONG: Constant = Constant::new(1.21);
+        let square = T::scalar(T::dot(direction, direction));
+        let fits = square >= T::Scalar::constant(SHORT) && square <= T::Scalar::constant(LONG);
+        if !fits {
+            return Err(SceneError::Direction(square));
+        }
+        let [red, green, blue] = illuminance;
+        let illuminance = [T::of_level(red), T::of_level(green), T::of_level(blue)];
+        let bright = |level: T::Scalar| level >= T::Scalar::ZERO && level <= T::Scalar::MAX;
+        match illuminance.into_iter().find(|&level| !bright(level)) {
+            Some(level) => Err(SceneError::Illuminance(level)),
+            None => Ok(Self { direction, sphere, illuminance }),
+        }
+    }
+}
+
+/// A light and its highlight's constants for the scene's material.
+#[derive(Clone, Copy, Debug)]
+struct Lit<T: Real, H> {
+    lamp: Lamp<T>,
+    highlight: H,
+}
+
+/// One material under up to `LIGHTS` distant lights.
+///
+/// `H` is the method of its highlights: [`ConeGgx`] from [`new`](Scene::new), any other by
+/// [`with_highlight`](Scene::with_highlight).
+#[derive(Clone, Debug)]
+pub struct Scene<T: Real, const LIGHTS: usize, H = ConeGgx<T>> {
+    surface: Surface<T>,
+    method: fn(&DistantSphere<T>, T::Scalar) -> H,
+    lights: heapless::Vec<Lit<T, H>, LIGHTS>,
+}
+
+/// Red, green or blue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Channel {
+    /// The first.
+    Red,
+    /// The second.
+    Green,
+    /// The third.
+    Blue,
+}
+
+impl<T: Real, const LIGHTS: usize> Scene<T, LIGHTS> {
+    /// A surface in the dark.
+    pub fn new(surface: &Surface<T>) -> Self {
+        Self::with_highlight(surface, ConeGgx::new)
+    }
+}
+
+impl<T: Real, const LIGHTS: usize, H: Highlight<T>> Scene<T, LIGHTS, H> {
+    /// A surface in the dark whose highlights are made by `method`, such as
+    /// [`PointGgx::karis`](crate::highlight::PointGgx::karis).
+    pub fn with_highlight(surface: &Surface<T>, method: fn(&DistantSphere<T>, T::Scalar) -> H) -> Self {
+        Self { surface: *surface, method, lights: heapless::Vec::new() }
+    }
+
+    /// Adds a light.
+    ///
+    /// # Errors
+    /// [`SceneError::Full`] where there are `LIGHTS` of them; the scene is as before.
+    pub fn push(&mut self, lamp: &Lamp<T>) -> Result<(), SceneError<T::Scalar>> {
+        let highlight = (self.method)(&lamp.sphere, self.surface.alpha);
+        self.lights.push(Lit { lamp: *lamp, highlight }).map_err(|_| SceneError::Full { capacity: LIGHTS })
+    }
+
+    /// How many lights there are.
+    pub fn lights(&self) -> usize {
+        self.lights.len()
+    }
+
+    /// Radiance in red, green and blue that a surface of unit normal `n` sends towards the unit direction `v`.
+    ///
+    /// Black without lights, and where `n` faces away from all of them or from the viewer.
+    #[inline]
+    pub fn shade(&self, n: [T; 3], v: [T; 3]) -> [T::Level; 3] {
+        let mut sum = [T::Scalar::ZERO; 3];
+        for lit in &self.lights {
+            let (facing, gloss) = lit.seen(n, v);
+            let [red, green, blue] = sum;
+            sum = [
+                red + self.reflected(lit, facing, &gloss, Channel::Red),
+                green + self.reflected(lit, facing, &gloss, Channel::Green),
+                blue + self.reflected(lit, facing, &gloss, Channel::Blue),
+            ];
+        }
+        let [red, green, blue] = sum;
+        [T::level(red), T::level(green), T::level(blue)]
+    }
+
+    /// The same in one channel, for what has but one.
+    #[inline]
+    pub fn shade_channel(&self, n: [T; 3], v: [T; 3], channel: Channel) -> T::Level {
+        let mut sum = T::Scalar::ZERO;
+        for lit in &self.lights {
+            let (facing, gloss) = lit.seen(n, v);
+            sum = sum + self.reflected(lit, facing, &gloss, channel);
+        }
+        T::level(sum)
+    }
+
+    /// One light's part in one channel.
+    #[inline]
+    fn reflected(&self, lit: &Lit<T, H>, facing: T::Scalar, gloss: &Gloss<T::Scalar>, channel: Channel) -> T::Scalar {
+        let illuminance = channel.of(lit.lamp.illuminance);
+        let diffuse = channel.of(self.surface.albedo) * facing * illuminance;
+        diffuse + gloss.radiance(illuminance, channel.of(self.surface.f0))
+    }
+}
+
+impl<T: Real, H: Highlight<T>> Lit<T, H> {
+    /// The cosine of the light's centre over pi, and the highlight.
+    #[inline]
+    fn seen(&self, n: [T; 3], v: [T; 3]) -> (T::Scalar, Gloss<T::Scalar>) {
+        let zero = T::Scalar::ZERO;
+        let n_dot_l = T::scalar(T::dot(n, self.lamp.direction));
+        let lit = n_dot_l > zero && T::dot(n, v) > T::WIDE_ZERO;
+        if !lit {
+            return (zero, Gloss::DARK);
+        }
+        let facing = n_dot_l * T::Scalar::constant(crate::highlight::INVERSE_PI);
+        (facing, self.highlight.shade(n, v, self.lamp.direction))
+    }
+}
+
+impl Channel {
+    #[inline]
+    fn of<S>(self, [red, green, blue]: [S; 3]) -> S {
+        match self {
+            Self::Red => red,
+            Self::Green => green,
+            Self::Blue => blue,
+        }
+    }
+}
+
+/// Why a light was not taken into a scene; holds the value, and displays the range allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SceneError<S = f64> {
+    /// There is no room for another light.
+    Full {
+        /// How many there is room for.
+        capacity: usize,
+    },
+    /// The square of the direction's length, which is not within 0.81 to 1.21.
+    Direction(S),
+    /// A channel of the illuminance is negative, infinite or NaN.
+    Illuminance(S),
+}
+
+impl<S: Scalar> fmt::Display for SceneError<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Full { capacity } => write!(f, "one light too many, there is room for {capacity}"),
+            Self::Direction(square) => {
+                write!(f, "a direction's squared length is {}, allowed is 0.81 to 1.21", square.exact())
+            }
+            Self::Illuminance(value) => {
+                write!(f, "an illuminance is {}, allowed is any finite number from 0", value.exact())
+            }
+        }
+    }
+}
+
+impl<S: Scalar> core::error::Error for SceneError<S> {}
