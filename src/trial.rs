@@ -5,6 +5,7 @@
 pub mod budget;
 pub mod format;
 pub mod found;
+pub mod gloss;
 pub mod input;
 pub mod judge;
 pub mod lights;
@@ -17,4 +18,4 @@ pub use found::Found;
 pub use judge::{Judgement, Worst, judge};
 pub use lights::Light;
 pub use method::{Constants, Method};
-pub use shading::{Shading, ShadingVisitor};
+pub use shading::{Make, Shading, ShadingVisitor};

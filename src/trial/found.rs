@@ -2,24 +2,24 @@
 
 /// Worst and mean square of an error, and where the worst was.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
+pub struct Found<const INPUTS: usize = 6> {
     /// The greatest error; infinite if any answer was not a number.
     pub max: f64,
     /// Inputs of the greatest error, as rounded into the format; unused places are zero.
-    pub worst: [f64; 6],
+    pub worst: [f64; INPUTS],
     /// Inputs that were tried.
     pub samples: u64,
     sum_square: f64,
 }
 
-impl Found {
+impl<const INPUTS: usize> Found<INPUTS> {
     /// Nothing tried yet.
     pub const fn new() -> Self {
-        Self { max: 0.0, worst: [0.0; 6], samples: 0, sum_square: 0.0 }
+        Self { max: 0.0, worst: [0.0; INPUTS], samples: 0, sum_square: 0.0 }
     }
 
     /// Takes in `error`, found at `input`.
-    pub fn add(&mut self, error: f64, input: [f64; 6]) {
+    pub fn add(&mut self, error: f64, input: [f64; INPUTS]) {
         let error = if error.is_nan() { f64::INFINITY } else { error };
         self.samples += 1;
         self.sum_square += error * error;
@@ -34,7 +34,7 @@ impl Found {
     }
 }
 
-impl Default for Found {
+impl<const INPUTS: usize> Default for Found<INPUTS> {
     fn default() -> Self {
         Self::new()
     }

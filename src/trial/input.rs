@@ -99,7 +99,7 @@ fn angle(source: &mut Rand64, kind: usize, theta: f64) -> f64 {
     }
 }
 
-fn on_sphere(source: &mut Rand64) -> [f64; 3] {
+pub(super) fn on_sphere(source: &mut Rand64) -> [f64; 3] {
     let z = 2.0 * source.rand_float() - 1.0;
     let turn = 2.0 * PI * source.rand_float();
     let ring = libm::sqrt((1.0 - z) * (1.0 + z));
@@ -115,7 +115,7 @@ fn beside_axis(source: &mut Rand64) -> [f64; 3] {
 }
 
 /// `l` turned by `angle` towards `aside`.
-fn turned(l: [f64; 3], aside: [f64; 3], angle: f64) -> [f64; 3] {
+pub(super) fn turned(l: [f64; 3], aside: [f64; 3], angle: f64) -> [f64; 3] {
     let along = l[0] * aside[0] + l[1] * aside[1] + l[2] * aside[2];
     let across = [0, 1, 2].map(|i| aside[i] - along * l[i]);
     // Where the two are parallel, any perpendicular will do.

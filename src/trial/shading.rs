@@ -26,12 +26,15 @@ pub enum Shading {
     Shifted,
 }
 
+/// Makes a method's constants for a roughness under a light.
+pub type Make<T, H> = fn(&DistantSphere<T>, <T as Real>::Scalar) -> H;
+
 /// What is to be done with a method, once that is a type.
 pub trait ShadingVisitor<T: Real> {
     /// What comes of it.
     type Output;
-    /// Does it with a highlight whose constants are computed.
-    fn visit(self, highlight: impl Highlight<T> + 'static) -> Self::Output;
+    /// Does it with the function that makes the method's constants.
+    fn visit<H: Highlight<T> + 'static>(self, method: Make<T, H>) -> Self::Output;
 }
 
 impl Shading {
@@ -61,22 +64,17 @@ impl Shading {
         }
     }
 
-    /// Calls `visitor` with the method's constants for a roughness under a light.
-    pub fn visit<T: Real, V: ShadingVisitor<T>>(
-        self,
-        sphere: &DistantSphere<T>,
-        alpha: T::Scalar,
-        visitor: V,
-    ) -> V::Output {
+    /// Calls `visitor` with the method.
+    pub fn visit<T: Real, V: ShadingVisitor<T>>(self, visitor: V) -> V::Output {
         match self {
-            Self::None => visitor.visit(PointGgx::none(sphere, alpha)),
-            Self::Karis => visitor.visit(PointGgx::karis(sphere, alpha)),
-            Self::KarisThird => visitor.visit(PointGgx::karis_third(sphere, alpha)),
-            Self::ExactRp => visitor.visit(PointGgx::exact_rp(sphere, alpha)),
-            Self::DiscGgx => visitor.visit(DiscGgx::new(sphere, alpha)),
-            Self::Directional => visitor.visit(DiscGgx::directional(sphere, alpha)),
-            Self::ConeGgx => visitor.visit(ConeGgx::new(sphere, alpha)),
-            Self::Shifted => visitor.visit(ShiftedConeGgx::new(sphere, alpha)),
+            Self::None => visitor.visit(PointGgx::none),
+            Self::Karis => visitor.visit(PointGgx::karis),
+            Self::KarisThird => visitor.visit(PointGgx::karis_third),
+            Self::ExactRp => visitor.visit(PointGgx::exact_rp),
+            Self::DiscGgx => visitor.visit(DiscGgx::new),
+            Self::Directional => visitor.visit(DiscGgx::directional),
+            Self::ConeGgx => visitor.visit(ConeGgx::new),
+            Self::Shifted => visitor.visit(ShiftedConeGgx::new),
         }
     }
 
@@ -98,27 +96,27 @@ impl Shading {
         }
     }
 
-    /// The highlight that the method makes in the format `T` of a pixel, a light and a surface that are rounded into it:
-    /// radiance over illuminance, for a reflectance of `f0` at normal incidence.
+    /// The highlight that the method makes in the format `T` of a pixel, normal, viewer and light: radiance over
+    /// illuminance, for a reflectance of `f0` at normal incidence.
     pub fn radiance<T: Real>(self, glossy: &Glossy, sphere: &DistantSphere<T>, pixel: [[T; 3]; 3]) -> f64 {
-        let [n, v, l] = pixel;
-        let f0 = T::Scalar::nearest(glossy.f0);
-        let gloss: Gloss<T::Scalar> = self.visit(sphere, T::Scalar::nearest(glossy.alpha), Once { n, v, l });
-        gloss.radiance(T::Scalar::ONE, f0).exact()
+        let alpha = T::Scalar::nearest(glossy.alpha);
+        let gloss = self.visit(Once { sphere, alpha, pixel });
+        gloss.radiance(T::Scalar::ONE, T::Scalar::nearest(glossy.f0)).exact()
     }
 }
 
 /// Shades one pixel.
-struct Once<T> {
-    n: [T; 3],
-    v: [T; 3],
-    l: [T; 3],
+struct Once<'a, T: Real> {
+    sphere: &'a DistantSphere<T>,
+    alpha: T::Scalar,
+    pixel: [[T; 3]; 3],
 }
 
-impl<T: Real> ShadingVisitor<T> for Once<T> {
+impl<T: Real> ShadingVisitor<T> for Once<'_, T> {
     type Output = Gloss<T::Scalar>;
 
-    fn visit(self, highlight: impl Highlight<T>) -> Gloss<T::Scalar> {
-        highlight.shade(self.n, self.v, self.l)
+    fn visit<H: Highlight<T> + 'static>(self, method: Make<T, H>) -> Gloss<T::Scalar> {
+        let [n, v, l] = self.pixel;
+        method(self.sphere, self.alpha).shade(n, v, l)
     }
 }

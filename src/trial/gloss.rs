@@ -1,0 +1,170 @@
+//! Measures whole lit pixels: a highlight method in a format, on a surface under a light.
+//!
+//! A pixel is what [`Scene::shade_channel`] makes of a surface of albedo [`ALBEDO`] and reflectance [`F0`] under an
+//! illuminance of pi, in which a white surface would be exactly white. Errors are relative to the pixel's true value.
+
+use core::f64::consts::PI;
+
+use oorandom::Rand64;
+
+use super::found::Found;
+use super::input::{on_sphere, turned};
+use super::shading::{Make, Shading, ShadingVisitor};
+use crate::highlight::Highlight;
+use crate::light::{DistantLight, SUN};
+use crate::oracle::highlight::{Glossy, Pixel};
+use crate::oracle::quadrature::Quadrature;
+use crate::real::{Real, Scalar};
+use crate::scene::{Channel, Lamp, Scene};
+use crate::sphere::DistantSphere;
+
+/// Diffuse reflectance of the surface that is lit: a dark wood, a wet road.
+pub const ALBEDO: f64 = 0.2;
+
+/// Its reflectance at normal incidence: that of glass.
+pub const F0: f64 = 0.04;
+
+/// A light and a roughness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Case {
+    /// Name, as tables and charts print it.
+    pub name: &'static str,
+    /// The light.
+    pub light: DistantLight,
+    /// The GGX width.
+    pub alpha: f64,
+}
+
+/// What the study shows and the budgets are for: the Sun on a polish, on varnish and on chalk, and two lamps.
+pub const CASES: [Case; 5] = [
+    Case { name: "Sun, alpha 0.001", light: SUN, alpha: 0.001 },
+    Case { name: "Sun, alpha 0.0625", light: SUN, alpha: 0.0625 },
+    Case { name: "Sun, alpha 1", light: SUN, alpha: 1.0 },
+    Case { name: "lamp 0.05, alpha 0.01", light: lamp(0.05), alpha: 0.01 },
+    Case { name: "lamp 0.3, alpha 0.1", light: lamp(0.3), alpha: 0.1 },
+];
+
+const fn lamp(ratio: f64) -> DistantLight {
+    match DistantLight::from_ratio(ratio) {
+        Ok(lamp) => lamp,
+        Err(_) => panic!("a ratio lies within 0 to 1"),
+    }
+}
+
+impl Case {
+    /// The surface and the light as the oracle takes them, for a roughness and a reflectance that were rounded.
+    fn glossy<T: Real>(&self) -> Glossy {
+        let rounded = |value: f64| T::Scalar::nearest(value).exact();
+        Glossy { alpha: rounded(self.alpha), f0: rounded(F0), ratio: self.light.sin() }
+    }
+
+    /// `count` random pixels: incidence up to 75 degrees, the mirror ray from a hundredth to ten times the highlight's width
+    /// off the light's centre, evenly in the logarithm, the viewer at least 3 degrees above the surface, and all
+    /// of it turned at random.
+    pub fn pixels(&self, seed: u64, count: usize) -> impl Iterator<Item = Pixel> + use<> {
+        let mut source = Rand64::new(u128::from(seed));
+        let width = self.light.angular_radius() + 2.0 * self.alpha;
+        (0..).map(move |_| pixel(&mut source, width)).filter(|pixel| cosine(pixel.n, pixel.v) > 0.05).take(count)
+    }
+}
+
+fn pixel(source: &mut Rand64, width: f64) -> Pixel {
+    let n = on_sphere(source);
+    let l = turned(n, on_sphere(source), 75_f64.to_radians() * source.rand_float());
+    let away = (width * libm::pow(10.0, 3.0 * source.rand_float() - 2.0)).min(1.5);
+    let r = turned(l, on_sphere(source), away);
+    let twice = 2.0 * cosine(n, r);
+    Pixel { n, v: [0, 1, 2].map(|i| twice * n[i] - r[i]), l }
+}
+
+fn cosine(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// A pixel in a format, and what that is exactly.
+fn rounded<T: Real>(pixel: &Pixel) -> ([[T; 3]; 3], Pixel) {
+    let lanes = [pixel.n, pixel.v, pixel.l].map(|vector| vector.map(T::from_f64));
+    let [n, v, l] = lanes.map(|vector| vector.map(T::to_f64));
+    (lanes, Pixel { n, v, l })
+}
+
+/// The diffuse part of a pixel's true value.
+fn diffuse(pixel: &Pixel, albedo: f64) -> f64 {
+    let pixel = pixel.unit();
+    albedo * cosine(pixel.n, pixel.l).max(0.0)
+}
+
+/// The exact value of a whole pixel by the method's own formula.
+fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
+    let albedo = T::Scalar::nearest(ALBEDO).exact();
+    diffuse(pixel, albedo) + PI * shading.truth(&case.glossy::<T>(), pixel)
+}
+
+/// Relative arithmetic error of whole pixels: computed against the exact value of the method's formula at the rounded inputs.
+pub fn arithmetic<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item = Pixel>) -> Found<9> {
+    let mut found = Found::new();
+    for pixel in pixels {
+        let ([n, v, l], exact) = rounded::<T>(&pixel);
+        let value = shading.visit(Whole { case, n, v, l });
+        let truth = truth::<T>(shading, case, &exact);
+        found.add((value / truth - 1.0).abs(), inputs(&exact));
+    }
+    found
+}
+
+/// Shades a whole pixel.
+struct Whole<'a, T> {
+    case: &'a Case,
+    n: [T; 3],
+    v: [T; 3],
+    l: [T; 3],
+}
+
+impl<T: Real> ShadingVisitor<T> for Whole<'_, T> {
+    type Output = f64;
+
+    fn visit<H: Highlight<T> + 'static>(self, method: Make<T, H>) -> f64 {
+        let shaded = scene(self.case, self.l, method).map(|scene| scene.shade_channel(self.n, self.v, Channel::Green));
+        shaded.map_or(f64::NAN, |level| T::of_level(level).exact())
+    }
+}
+
+/// Relative error that rounding directions, roughness and reflectances into the format makes by itself.
+pub fn input<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item = Pixel>) -> Found<9> {
+    let mut found = Found::new();
+    for pixel in pixels {
+        let (_, exact) = rounded::<T>(&pixel);
+        found
+            .add((truth::<T>(shading, case, &exact) / truth::<f64>(shading, case, &pixel) - 1.0).abs(), inputs(&exact));
+    }
+    found
+}
+
+/// Relative error of the method's formula itself: its exact value against the BRDF integrated over the disc.
+pub fn model<const N: usize>(
+    shading: Shading,
+    case: &Case,
+    pixels: impl Iterator<Item = Pixel>,
+    rule: &Quadrature<N>,
+) -> Found<9> {
+    let mut found = Found::new();
+    for pixel in pixels {
+        let whole = diffuse(&pixel, ALBEDO) + PI * rule.highlight(&case.glossy::<f64>(), &pixel);
+        found.add((truth::<f64>(shading, case, &pixel) / whole - 1.0).abs(), inputs(&pixel));
+    }
+    found
+}
+
+fn inputs(&Pixel { n, v, l }: &Pixel) -> [f64; 9] {
+    [n[0], n[1], n[2], v[0], v[1], v[2], l[0], l[1], l[2]]
+}
+
+/// The scene of `case` in a format, with one light at `l`; `None` where `l` is no direction.
+pub fn scene<T: Real, H: Highlight<T>>(case: &Case, l: [T; 3], method: Make<T, H>) -> Option<Scene<T, 1, H>> {
+    let scalar = T::Scalar::nearest;
+    let surface = crate::material::Surface::new([scalar(ALBEDO); 3], scalar(case.alpha), [scalar(F0); 3]).ok()?;
+    let mut scene = Scene::with_highlight(&surface, method);
+    let lamp = Lamp::new(l, DistantSphere::of(&case.light), [T::level(scalar(PI)); 3]).ok()?;
+    scene.push(&lamp).ok()?;
+    Some(scene)
+}
