@@ -40,17 +40,23 @@ impl Glossy {
     /// `D V F (n.l)` for a light in the single direction `l`: GGX and Smith by their tangents, `D = 1 / (pi alpha^2 cos^4
     /// (1 + tan^2 / alpha^2)^2)`, `V = 1 / (4 (n.l) (n.v) (1 + L(v) + L(l)))`.
     pub fn brdf(&self, pixel: &Pixel) -> f64 {
-        let Pixel { n, v, l } = pixel.unit();
-        let [n_dot_l, n_dot_v] = [dot(n, l), dot(n, v)];
+        self.brdf_of_unit(&pixel.unit())
+    }
+
+    /// The same for vectors of length 1, with plain products: the integrals over a disc call this millions of times.
+    pub(super) fn brdf_of_unit(&self, &Pixel { n, v, l }: &Pixel) -> f64 {
+        let [n_dot_l, n_dot_v] = [plain_dot(n, l), plain_dot(n, v)];
         if n_dot_l <= 0.0 || n_dot_v <= 0.0 {
             return 0.0;
         }
         let h = add(l, v);
-        let tilt = angle_between(n, h);
-        let slope = libm::tan(tilt) / self.alpha;
-        let cosine = libm::cos(tilt);
-        let spread = self.alpha * cosine * cosine * (1.0 + slope * slope);
-        self.visibility(n_dot_l, n_dot_v) * self.fresnel(dot(v, h) / length(h)) / (PI * spread * spread)
+        let size = plain_dot(h, h);
+        let cosine_square = (n_dot_l + n_dot_v) * (n_dot_l + n_dot_v) / size;
+        let side = [n[1] * h[2] - n[2] * h[1], n[2] * h[0] - n[0] * h[2], n[0] * h[1] - n[1] * h[0]];
+        let sine_square = plain_dot(side, side) / size;
+        let slope_square = sine_square / cosine_square / (self.alpha * self.alpha);
+        let spread = self.alpha * cosine_square * (1.0 + slope_square);
+        self.visibility(n_dot_l, n_dot_v) * self.fresnel(libm::sqrt(size) / 2.0) / (PI * spread * spread)
     }
 
     /// `V (n.l)`.
@@ -59,15 +65,15 @@ impl Glossy {
             return 0.0;
         }
         let shadow = |cosine: f64| {
-            let tangent = libm::sqrt((1.0 - cosine) * (1.0 + cosine)).max(0.0) / cosine;
-            let tangent = if tangent.is_nan() { 0.0 } else { tangent };
-            (libm::hypot(1.0, self.alpha * tangent) - 1.0) / 2.0
+            let tangent_square = ((1.0 - cosine) * (1.0 + cosine)).max(0.0) / (cosine * cosine);
+            (libm::sqrt(1.0 + self.alpha * self.alpha * tangent_square) - 1.0) / 2.0
         };
         1.0 / (4.0 * n_dot_v * (1.0 + shadow(n_dot_v) + shadow(n_dot_l)))
     }
 
     fn fresnel(&self, v_dot_h: f64) -> f64 {
-        self.f0 + (1.0 - self.f0) * libm::pow((1.0 - v_dot_h).max(0.0), 5.0)
+        let rest = (1.0 - v_dot_h).max(0.0);
+        self.f0 + (1.0 - self.f0) * (rest * rest * rest * rest * rest)
     }
 
     /// GGX at the disc's point nearest to the mirror ray, with its peak lowered to that of the width `width`.
@@ -219,6 +225,10 @@ impl Lean {
         let along = if size > 0.0 { (part * part).min(tilt) } else { tilt / 2.0 };
         Self { v_dot_h: length(h) / 2.0, along, across: tilt - along }
     }
+}
+
+fn plain_dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 fn add(a: Vector, b: Vector) -> Vector {

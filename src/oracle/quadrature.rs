@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::highlight::{Glossy, Pixel, about, frame, mirror};
-use super::{Vector, angle_between, angular_radius, dot};
+use super::{Vector, angle_between, angular_radius, cross, dot, length};
 
 /// Gauss and Legendre's rule of `N` nodes: exact for polynomials up to the degree `2 N - 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,23 +86,14 @@ impl<const N: usize> Quadrature<N> {
             return glossy.mirrored(&pixel);
         }
         let rays = Rays::new(glossy, pixel, r, away);
-        let total = if away < theta {
-            // A quarter turn at a time, since beside the rim the segments change quickly there.
-            (-2..2)
-                .map(|quarter| {
-                    let from = f64::from(quarter) * FRAC_PI_2;
-                    self.integral(from, from + FRAC_PI_2, |turn| rays.segment(self, turn))
-                })
-                .sum::<f64>()
-        } else {
-            let reach = (x / libm::sin(away)).min(1.0);
-            let ray = |t: f64| {
-                let turn = libm::asin(reach * libm::sin(t));
-                let cos = libm::cos(turn);
-                if cos > 1e-12 { rays.segment(self, turn) * reach * libm::cos(t) / cos } else { 0.0 }
-            };
-            self.integral(-FRAC_PI_2, 0.0, ray) + self.integral(0.0, FRAC_PI_2, ray)
-        };
+        let inside = away < theta;
+        let reach = if inside { PI } else { libm::asin((x / libm::sin(away)).min(1.0)) };
+        // Beside the rim the segments change quickly at right angles; at a corner of disc and horizon they have a kink.
+        let [first, second] = rays.corners();
+        let quarter = if inside { FRAC_PI_2 } else { 0.0 };
+        let mut turns = [-reach, -quarter, 0.0, first, second, quarter, reach].map(|turn| turn.clamp(-reach, reach));
+        turns.sort_unstable_by(f64::total_cmp);
+        let total: f64 = (1..turns.len()).map(|index| rays.sector(self, turns[index - 1], turns[index])).sum();
         total / (PI * x * x)
     }
 
@@ -116,7 +107,11 @@ impl<const N: usize> Quadrature<N> {
         let (n, l) = ([0.0, 0.0, 1.0], [libm::sin(incidence), 0.0, libm::cos(incidence)]);
         let up = [libm::cos(incidence), 0.0, -libm::sin(incidence)];
         let (mut lobes, mut truth, mut brightest) = ([Lobe::default(); M], 0.0, 0.0_f64);
-        for [azimuth, arc] in self.nodes(0.0, PI) {
+        let quarters = self.nodes(0.0, FRAC_PI_2).chain(self.nodes(FRAC_PI_2, PI));
+        for [stretched, arc] in quarters {
+            // The highlight is longer in the plane of incidence.
+            let [azimuth, share] = narrowed(stretched, libm::cos(incidence));
+            let arc = arc * share;
             // Where the viewer, mirrored, sets.
             let horizon = libm::atan2(libm::cos(incidence), libm::cos(azimuth) * libm::sin(incidence));
             for [polar, ring] in self.rings(glossy, horizon) {
@@ -183,6 +178,38 @@ impl<'a> Rays<'a> {
         Self { glossy, pixel, r, away, frame: frame(r, pixel.l), incidence: frame(r, pixel.n)[0] }
     }
 
+    /// Turns at which the horizon cuts the disc's rim; 0 where it does not.
+    fn corners(&self) -> [f64; 2] {
+        let Pixel { n, l, .. } = self.pixel;
+        let across = cross(n, l);
+        let level = length(across);
+        // A corner is level and `cos` of the disc from its centre.
+        let along = libm::sqrt((1.0 - self.glossy.ratio) * (1.0 + self.glossy.ratio)) / level;
+        let aside = libm::sqrt((1.0 - along) * (1.0 + along));
+        let forward = cross(across, n);
+        [aside, -aside].map(|aside| {
+            let corner = [0, 1, 2].map(|i| (along * forward[i] + aside * across[i]) / level);
+            let turn = libm::atan2(dot(corner, self.frame[1]), dot(corner, self.frame[0]));
+            if turn.is_finite() { turn } else { 0.0 }
+        })
+    }
+
+    /// The integral between two turns; as the ends may be tangents to the rim, where segments grow like a root, the turn
+    /// goes as a sine.
+    fn sector<const N: usize>(&self, rule: &Quadrature<N>, from: f64, to: f64) -> f64 {
+        if to - from < 1e-12 {
+            return 0.0;
+        }
+        let n_dot_v = dot(self.pixel.n, self.pixel.v);
+        let offset = libm::atan2(dot(self.incidence, self.frame[1]), dot(self.incidence, self.frame[0]));
+        let [from, to] = [from, to].map(|turn| widened(turn - offset, n_dot_v));
+        let (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
+        rule.integral(-FRAC_PI_2, FRAC_PI_2, |t| {
+            let [turn, share] = narrowed(middle + half * libm::sin(t), n_dot_v);
+            self.segment(rule, turn + offset) * share * half * libm::cos(t)
+        })
+    }
+
     /// The integral along the ray that leaves the mirror direction at the angle `turn` from that towards the centre.
     fn segment<const N: usize>(&self, rule: &Quadrature<N>, turn: f64) -> f64 {
         let x = self.glossy.ratio;
@@ -193,7 +220,7 @@ impl<'a> Rays<'a> {
         }
         let half = libm::asin(libm::sqrt(half_square));
         let foot = libm::atan2(libm::cos(turn) * libm::sin(self.away), libm::cos(self.away));
-        let outward = about(self.r, self.frame, core::f64::consts::FRAC_PI_2, turn);
+        let outward = about(self.r, self.frame, FRAC_PI_2, turn);
         let horizon = libm::atan2(dot(self.pixel.n, self.r), -dot(self.pixel.n, outward));
         let to = (foot + half).min(PI).min(horizon);
         let from = (foot - half).max(0.0);
@@ -202,10 +229,11 @@ impl<'a> Rays<'a> {
         }
         let width = self.width(outward);
         rule.integral(libm::atan(from / width), libm::atan(to / width), |t| {
-            let polar = width * libm::tan(t);
-            let l = about(self.r, self.frame, polar, turn);
-            let stretch = width / (libm::cos(t) * libm::cos(t));
-            self.glossy.brdf(&Pixel { l, ..self.pixel }) * libm::sin(polar) * stretch
+            let tan = libm::tan(t);
+            let polar = width * tan;
+            let (sin, cos) = (libm::sin(polar), libm::cos(polar));
+            let l = [0, 1, 2].map(|i| cos * self.r[i] + sin * outward[i]);
+            self.glossy.brdf_of_unit(&Pixel { l, ..self.pixel }) * sin * width * (1.0 + tan * tan)
         })
     }
 
@@ -217,4 +245,18 @@ impl<'a> Rays<'a> {
         let n_dot_v = dot(self.pixel.n, self.pixel.v);
         2.0 * self.glossy.alpha / libm::sqrt(along * along + across / (n_dot_v * n_dot_v))
     }
+}
+
+/// The angle whose tangent is `cosine` times that of `angle`, in the same quarter of the same turn, and its derivative.
+fn narrowed(angle: f64, cosine: f64) -> [f64; 2] {
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    let near = libm::atan2(cosine * sin, cos);
+    let turns = libm::round((angle - near) / (2.0 * PI));
+    [near + 2.0 * PI * turns, cosine / (cos * cos + cosine * cosine * sin * sin)]
+}
+
+/// The angle that [`narrowed`] makes `angle` of.
+fn widened(angle: f64, cosine: f64) -> f64 {
+    let near = libm::atan2(libm::sin(angle), cosine * libm::cos(angle));
+    near + 2.0 * PI * libm::round((angle - near) / (2.0 * PI))
 }
