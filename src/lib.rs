@@ -48,13 +48,17 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod blackbody;
 mod constant;
+mod exponential;
 pub mod highlight;
 pub mod light;
 pub mod normalization;
 #[cfg(feature = "oracle")]
 pub mod oracle;
 mod pair;
+mod product;
+pub mod radiometry;
 #[cfg(feature = "fixed")]
 pub mod raw;
 pub mod real;

@@ -3,6 +3,8 @@
 //! Shares no code with what it judges. `tests/oracle.rs` holds it against 192-bit arithmetic: directions are within
 //! 5e-16 rad.
 
+pub mod planck;
+
 use core::f64::consts::PI;
 
 type Vector = [f64; 3];

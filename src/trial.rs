@@ -2,6 +2,7 @@
 //!
 //! No standard library, no allocation.
 
+pub mod blackbody;
 pub mod budget;
 pub mod format;
 pub mod found;
