@@ -63,7 +63,8 @@ pub(crate) fn shrunk<S: Scalar>(value: S, x: S) -> S {
         return S::ZERO;
     }
     let (scaled, rest) = reduced(value, x);
-    scaled + scaled * fall(rest)
+    // Not the sum of two products, of which the lesser may be subnormal in f16 where the answer is not.
+    scaled * (S::ONE + fall(rest))
 }
 
 /// `1 - e^-x` for `x` from 0, to full relative precision for small `x` too; 1 for NaN and from 1024 on.

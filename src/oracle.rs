@@ -4,6 +4,7 @@
 //! 5e-16 rad.
 
 pub mod planck;
+pub mod radiometry;
 
 use core::f64::consts::PI;
 

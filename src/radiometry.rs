@@ -25,7 +25,9 @@
 //! refuse what cannot be with a [`RadiometryError`].
 //!
 //! Error: one rounding a factor; relative, worst of random inputs with answers from 1e-4 to 6e4, as
-//! `tests/radiometry.rs` asserts it, at most ERRORS.
+//! `tests/radiometry.rs` asserts it, at most 5.2e-16 in f64, 3e-7 in f32 and micromath, 2.5e-3 in f16, 3.5e-9 beside fixed
+//! point; of [`SphereLight::radiance`] 8.1e-16, 4.3e-7, 1.1e-5 (micromath's root), 3.5e-3, 5.6e-9. Each formula's is in
+//! `trial::radiometry`.
 
 mod error;
 mod sphere_light;

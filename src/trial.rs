@@ -11,6 +11,7 @@ pub mod judge;
 pub mod lights;
 pub mod method;
 pub mod quantity;
+pub mod radiometry;
 
 pub use format::{Format, Visitor};
 pub use found::Found;

@@ -14,6 +14,7 @@ use sunglint::blackbody::{
     radiant_exitance, relative_to_peak, relative_to_peak_frequency, tint, total_radiance,
 };
 use sunglint::oracle::planck::Law;
+use sunglint::raw::{relative_to_peak_frequency_q16, relative_to_peak_q16, tint_q16};
 use sunglint::real::Scaled;
 use sunglint::trial::blackbody::{
     ABSOLUTE, DOMAIN, RELATIVE, SPAN, SPECTRAL, TINT, absolute_error, error_at, relative, relative_error, spectral,
@@ -470,4 +471,37 @@ fn tints_turn_from_red_to_blue() {
     check::<fixed::types::I2F14>();
     check::<fixed::types::I2F30>();
     check::<fixed::types::I16F16>();
+}
+
+/// The raw entries are the generic functions on bits, within the last bits that they promise.
+#[test]
+fn raw_bits_are_the_generic_functions() {
+    let mut source = oorandom::Rand64::new(7);
+    let mut next = |least: f64, most: f64| (least * (most / least).powf(source.rand_float()) * 65_536.0) as u32;
+    let value = |bits: u32| f64::from(bits) / 65_536.0;
+    let lsbs = |bits: i32, truth: f64| (f64::from(bits) - truth * f64::from(1 << 30)).abs();
+    let (mut laws, mut tints) = (0.0_f64, 0.0_f64);
+    for _ in 0..COUNT {
+        let ratio = next(1e-4, 6e4);
+        let scaled = Scaled::from_unsigned(ratio.into(), -16);
+        let [by_wavelength, by_frequency] = [relative_to_peak_q16(ratio), relative_to_peak_frequency_q16(ratio)];
+        assert_eq!(i64::from(by_wavelength), relative_to_peak(scaled).to_bits(30).min(1 << 30));
+        assert_eq!(i64::from(by_frequency), relative_to_peak_frequency(scaled).to_bits(30).min(1 << 30));
+        laws = laws.max(lsbs(by_wavelength, Law::Wavelength.relative(value(ratio))));
+        laws = laws.max(lsbs(by_frequency, Law::Frequency.relative(value(ratio))));
+        let (temperature, wavelengths) = (next(0.8, 40.0), [0; 3].map(|_| next(0.38, 0.78)));
+        let truth = wavelengths.map(|w| Law::Wavelength.radiance(1e-6 * value(w), 1000.0 * value(temperature)));
+        let greatest = truth.into_iter().fold(0.0, f64::max);
+        for (level, truth) in tint_q16(temperature, wavelengths).into_iter().zip(truth) {
+            tints = tints.max(lsbs(level, truth / greatest));
+        }
+    }
+    assert_tight("relative laws, LSB of Q30", laws, 5.0);
+    assert_tight("tint, LSB of Q30", tints, 15.0);
+    assert_eq!(
+        [relative_to_peak_q16(0), relative_to_peak_frequency_q16(0), relative_to_peak_frequency_q16(u32::MAX)],
+        [0; 3]
+    );
+    assert_eq!([tint_q16(0, [1; 3]), tint_q16(1, [1, 0, 1])], [[0; 3]; 2]);
+    assert_eq!(tint_q16(65_536, [40_000; 3]), [1 << 30; 3]);
 }

@@ -212,3 +212,15 @@ fn floats_become_the_nearest_number() {
     assert_eq!([f64::INFINITY, -f64::INFINITY].map(Scaled::new), [Scaled::MAX, Scaled::ZERO - Scaled::MAX]);
     assert_eq!(Scaled::constant(Constant::new(0.3)), Scaled::nearest(0.3));
 }
+
+/// Exponents that nothing makes are an answer too, with overflow checks on.
+#[test]
+fn no_exponent_panics() {
+    let mut source = Rand64::new(5);
+    let mut any = || Scaled::from_bits(source.rand_u64() as i64, source.rand_u64() as i32);
+    for _ in 0..COUNT {
+        let (a, b) = (any(), any());
+        std::hint::black_box(([a + b, a - b, a * b, a / b, a.root()], a.partial_cmp(&b)));
+        std::hint::black_box((a.to_bits(60), a.to_bits(0), a.to_unsigned(63), a.exact()));
+    }
+}

@@ -43,8 +43,12 @@ impl Law {
         }
     }
 
-    /// Spectral radiance over that of the peak, at `ratio` times the peak's wavelength or frequency; from 1e-60 to 1e60.
+    /// Spectral radiance over that of the peak, at `ratio` times the peak's wavelength or frequency; 0 or from 1e-60
+    /// to 1e60.
     pub fn relative(self, ratio: f64) -> f64 {
+        if ratio == 0.0 {
+            return 0.0;
+        }
         let peak = self.peak();
         let top = expm1(peak);
         match self {

@@ -14,7 +14,7 @@ const SUN_RATIO: Constant = Constant::new(SOLAR_RADIUS_KM / ASTRONOMICAL_UNIT_KM
 ///
 /// The normalised form is the colour itself, which every format holds: what a facing white surface shows. The radiance
 /// is `(distance / radius)^2` times that, 46 239 for a sphere that looks like the Sun: over the top of a signed Q16.16 and
-/// just within U16F16 and f16, while the Sun from Mars (107 350) is in neither. Hence [`SphereLight::radiance`] may fail
+/// just within U16F16 and f16, while the Sun from Mars (107 352) is in neither. Hence [`SphereLight::radiance`] may fail
 /// where the light itself is fine. Shading that multiplies the radiance by the disc's `sin^2` again needs the colour only.
 ///
 /// Surfaces elsewhere see the inverse square of their own distance, as they should of a lamp; for a directional light

@@ -109,7 +109,7 @@ impl Scaled {
 
     #[inline]
     const fn negative(self) -> Self {
-        Self { mantissa: -self.mantissa, ..self }
+        Self { mantissa: self.mantissa.wrapping_neg(), ..self }
     }
 
     /// `2^31 times 1 / sqrt(size)` of the size of a number that is not zero, and half of its exponent: the root is
@@ -126,7 +126,8 @@ impl Scaled {
     fn plus(self, other: Self) -> Self {
         let (great, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
         let lower = great.exponent.wrapping_sub(small.exponent);
-        if lower > 33 {
+        // Negative only where exponents have wrapped.
+        if !(0..=33).contains(&lower) {
             return great;
         }
         let sum = (i64::from(great.mantissa) << 31) + ((i64::from(small.mantissa) << 31) >> lower);
@@ -185,7 +186,7 @@ impl Div for Scaled {
                 // No division instruction, and none of the library's: the square of the reciprocal root.
                 let (root, half) = other.reciprocal_root();
                 let reciprocal = (u64::from(root) * u64::from(root)).wrapping_add(1 << 31) >> 32;
-                let quotient = i64::from(self.mantissa) * reciprocal as i64;
+                let quotient = i64::from(self.mantissa).wrapping_mul(reciprocal as i64);
                 let exponent = self.exponent.wrapping_sub(half.wrapping_mul(2)).wrapping_sub(61);
                 Self::from_bits(quotient, exponent).signed_by(other)
             }
@@ -226,7 +227,7 @@ impl Scalar for Scaled {
             return ZERO;
         }
         let (root, half) = self.reciprocal_root();
-        let product = i64::from(self.mantissa) * i64::from(root);
+        let product = i64::from(self.mantissa).wrapping_mul(root.into());
         Self::from_bits(product, self.exponent.wrapping_sub(half).wrapping_sub(62))
     }
 }
