@@ -31,8 +31,6 @@ pub use tint::tint;
 
 use crate::exponential::{complement, shrunk};
 use crate::product::{finite, quotient};
-#[cfg(feature = "fixed")]
-use crate::real::Scaled;
 use crate::real::{Constant, Scalar};
 
 /// Planck's constant in J s, exact.
@@ -72,7 +70,7 @@ impl WideRange for f32 {}
 #[cfg(feature = "micromath")]
 impl WideRange for micromath::F32 {}
 #[cfg(feature = "fixed")]
-impl WideRange for Scaled {}
+impl WideRange for crate::real::Scaled {}
 
 /// Planck's law by wavelength: spectral radiance in W/(m^2 sr m) at `wavelength` in metres and `temperature` in
 /// kelvins.
@@ -93,7 +91,7 @@ pub fn radiance_per_wavelength<S: WideRange>(wavelength: S, temperature: S) -> S
     // The wavelength in 2^-20 m, which is about a micrometre, so that its powers stay in f32's range.
     const MICRO: Constant = Constant::new(1.0 / 1_048_576.0);
     // 2 h c^2 2^100
-    const FIRST: Constant = Constant::new(150_982_633_885_691.036);
+    const FIRST: Constant = Constant::new(150_982_633_885_691.03);
     if !(wavelength > S::ZERO && temperature > S::ZERO) {
         return S::ZERO;
     }
@@ -166,7 +164,7 @@ pub fn radiant_exitance<S: WideRange>(temperature: S) -> S {
 /// Radiance over all wavelengths in W/(m^2 sr): `sigma T^4 / pi`.
 #[inline]
 pub fn total_radiance<S: WideRange>(temperature: S) -> S {
-    const SIGMA_OVER_PI: Constant = Constant::new(1.804_936_235_990_073_9e-8);
+    const SIGMA_OVER_PI: Constant = Constant::new(1.804_936_235_990_074e-8);
     fourth_power(S::constant(SIGMA_OVER_PI), temperature)
 }
 

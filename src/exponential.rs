@@ -59,7 +59,9 @@ const SERIES: [Constant; 10] = [
 /// Falls from `value` step by step, so that no intermediate is below the answer.
 #[inline]
 pub(crate) fn shrunk<S: Scalar>(value: S, x: S) -> S {
-    if !(x < S::constant(END)) {
+    // False for NaN.
+    let lasting = x < S::constant(END);
+    if !lasting {
         return S::ZERO;
     }
     let (scaled, rest) = reduced(value, x);
@@ -70,7 +72,9 @@ pub(crate) fn shrunk<S: Scalar>(value: S, x: S) -> S {
 /// `1 - e^-x` for `x` from 0, to full relative precision for small `x` too; 1 for NaN and from 1024 on.
 #[inline]
 pub(crate) fn complement<S: Scalar>(x: S) -> S {
-    if !(x < S::constant(END)) {
+    // False for NaN.
+    let lasting = x < S::constant(END);
+    if !lasting {
         return S::ONE;
     }
     let (power, rest) = reduced(S::ONE, x);

@@ -89,7 +89,7 @@ pub fn lambertian_radiance<S: Scalar>(power: S, area: S) -> Result<S, Radiometry
 /// where the answer is.
 #[inline]
 pub fn sphere_radiance<S: Scalar>(power: S, radius: S) -> Result<S, RadiometryError<S>> {
-    const FOUR_PI_SQUARED: Constant = Constant::new(39.478_417_604_357_434);
+    const FOUR_PI_SQUARED: Constant = Constant::new(39.478_417_604_357_43);
     let power = not_negative(power).map_err(RadiometryError::Power)?;
     let radius = positive(radius).map_err(RadiometryError::Length)?;
     in_range(quotient([power], [S::constant(FOUR_PI_SQUARED), radius, radius]))
@@ -163,11 +163,8 @@ pub struct Patch<S> {
 /// the two patches may change places.
 #[inline]
 pub fn flux<S: Scalar>(radiance: S, sender: Patch<S>, receiver: Patch<S>, distance: S) -> S {
-    if !(distance > S::ZERO) {
-        return S::ZERO;
-    }
     let above = [radiance, sender.area, finite(sender.cos), receiver.area, finite(receiver.cos)];
-    finite(quotient(above, [distance, distance]))
+    if distance > S::ZERO { finite(quotient(above, [distance, distance])) } else { S::ZERO }
 }
 
 /// `value cos / distance^2`.

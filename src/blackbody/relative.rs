@@ -63,7 +63,9 @@ pub fn relative_to_peak_frequency<S: Scalar>(ratio: S) -> S {
 /// `t^n (1 - exp(-a)) / (1 - exp(-a t)) exp(-a (t - 1))`.
 #[inline]
 fn law<S: Scalar>(t: S, law: &Law) -> S {
-    if !(t > S::ZERO) {
+    // False for NaN.
+    let positive = t > S::ZERO;
+    if !positive {
         return S::ZERO;
     }
     let (peak, front) = (S::constant(law.peak), S::constant(law.complement));

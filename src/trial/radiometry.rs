@@ -71,7 +71,7 @@ impl Formula {
         BUDGETS[self as usize][format as usize]
     }
 
-    /// The answer in the scalars of a format: of four light levels and two cosines. NaN where it is refused.
+    /// The answer in the scalars of a format: of four light levels and two cosines. Zero where it is refused.
     pub fn compute<S: Scalar>(self, [a, b, c, d]: [S; 4], [cos, other]: [S; 2]) -> S {
         let computed = match self {
             Self::AreaRadiance => area_radiance(a, b, c),
