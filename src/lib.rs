@@ -48,7 +48,9 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod blackbody;
 mod constant;
+mod exponential;
 pub mod highlight;
 pub mod light;
 pub mod material;
@@ -56,6 +58,8 @@ pub mod normalization;
 #[cfg(feature = "oracle")]
 pub mod oracle;
 mod pair;
+mod product;
+pub mod radiometry;
 #[cfg(feature = "fixed")]
 pub mod raw;
 pub mod real;

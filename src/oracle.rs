@@ -4,7 +4,9 @@
 //! 5e-16 rad.
 
 pub mod highlight;
+pub mod planck;
 pub mod quadrature;
+pub mod radiometry;
 
 use core::f64::consts::PI;
 

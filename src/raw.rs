@@ -3,6 +3,13 @@
 //! Vectors are `[i16; 3]` in Q14 (16384 is 1) or `[i32; 3]` in Q30 (1073741824 is 1), of length 1 give or take a
 //! rounding; up to 1.16 nothing overflows. Each function is the one of the same name in [`specular`], in integers to
 //! the end, with that function's formula, special cases and error; `tests/raw.rs` holds the two to the same bits.
+//! Quantities of light are `u32` in Q16 (65536 is 1) and, where they are at most 1, `i32` in Q30.
+
+mod blackbody;
+mod radiometry;
+
+pub use blackbody::{relative_to_peak_frequency_q16, relative_to_peak_q16, tint_q16};
+pub use radiometry::{area_radiance_q16, diffuse_radiance_q16, irradiance_q16};
 
 use fixed::types::{I2F14, I2F30};
 

@@ -2,6 +2,7 @@
 //!
 //! No standard library, no allocation.
 
+pub mod blackbody;
 pub mod budget;
 pub mod format;
 pub mod found;
@@ -11,6 +12,7 @@ pub mod judge;
 pub mod lights;
 pub mod method;
 pub mod quantity;
+pub mod radiometry;
 pub mod shading;
 
 pub use format::{Format, Visitor};

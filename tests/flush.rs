@@ -3,8 +3,10 @@
 use std::ops::{Add, Div, Mul, Sub};
 
 use half::f16;
+use sunglint::oracle::planck::Law;
 use sunglint::real::Constant;
-use sunglint::trial::{Format, Method, budget, input, judge};
+use sunglint::trial::radiometry::Formula;
+use sunglint::trial::{Format, Method, blackbody, budget, input, judge};
 use sunglint::{DistantSphere, Float, Real, SUN, Scalar, cap, oracle};
 
 /// f16 whose every operation flushes subnormal arguments and results; `SCALED` with this crate's scale for squares.
@@ -123,4 +125,24 @@ fn cap_keeps_the_budget_of_f16() {
 fn beside_the_opposite_flushing_costs_a_little() {
     let worst = worst_beyond(1.0);
     assert!((8.1e-4 / 4.0..=8.1e-4).contains(&worst), "{worst:e}");
+}
+
+/// Black bodies and radiometry keep the budgets of f16: their intermediates are normal numbers where the answer is.
+#[test]
+fn radiometry_and_black_bodies_keep_the_budgets_of_f16() {
+    for formula in Formula::ALL {
+        let worst = formula.error::<Flushing<true>>(1, 20_000);
+        let budget = formula.maximum(Format::F16);
+        assert!(worst.max <= budget && worst.max >= budget / 4.0, "{} {worst:?}", formula.name());
+    }
+    for law in Law::ALL {
+        let worst = blackbody::relative_error::<Flushing<true>>(law, 1, 20_000);
+        let budget = blackbody::RELATIVE[law as usize][Format::F16 as usize];
+        assert!(worst.max <= budget && worst.max >= budget / 4.0, "{law:?} {worst:?}");
+        // What is below the least normal number is lost.
+        let lost = blackbody::absolute_error::<Flushing<true>>(law, 1, 20_000);
+        assert!(lost.max <= blackbody::ABSOLUTE[law as usize][Format::F16 as usize], "{law:?} {lost:?}");
+    }
+    let tints = blackbody::tint_error::<Flushing<true>>(1, 20_000);
+    assert!(tints.max <= blackbody::TINT[Format::F16 as usize], "{tints:?}");
 }

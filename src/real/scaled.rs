@@ -4,13 +4,18 @@ use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Sub};
 
 use super::{Constant, Scalar};
-use crate::root::reciprocal_root;
+use crate::root::reciprocal_root_of_whole;
 
 /// A 31-bit mantissa and a sign, Q31 in [1/2, 1), times a power of two. Integer arithmetic alone.
 ///
-/// Sums and products are rounded to nearest: within 0.5 units of the last place, `2^-31` of the value or less. Quotients
-/// and roots are within 3 (`tests/scaled.rs`). There is no NaN, no infinity and no overflow: what is divided by
-/// zero is [`Scalar::MAX`] or its negative (zero for zero), and the root of a negative number is zero.
+/// Sums and products are rounded to nearest: within 0.5 units of the last place, which is `2^-30` of the value or less.
+/// Quotients are within 2.5, by a power of two exact, and roots within 1.1 (`tests/scaled.rs`). There is no NaN and no
+/// infinity: what is divided by zero is [`Scalar::MAX`] or its negative (zero for zero), and the root of a negative
+/// number is zero.
+///
+/// Exponents have 32 bits. `MAX` is `2^(2^20)`, a thousand times the exponent of f64's greatest number; it takes
+/// eleven squarings of it in a row to leave the range, upon which exponents wrap. Numbers below `2^-(2^24)` may
+/// count as zero in sums and comparisons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Scaled {
     /// Zero, or of a size from `2^30` to `2^31 - 1`.
@@ -47,7 +52,7 @@ impl Scaled {
         }
     }
 
-    /// `bits * 2^exponent`, within a unit of the last place.
+    /// `bits * 2^exponent`, to nearest but that the last bit of numbers with 64 does not break ties.
     #[inline]
     pub const fn from_unsigned(bits: u64, exponent: i32) -> Self {
         // The bit that is lost of numbers with 64 is far below the mantissa's last.
@@ -71,16 +76,16 @@ impl Scaled {
         if value < 0.0 { magnitude.negative() } else { magnitude }
     }
 
-    /// The value times `2^fraction` as an integer, to nearest, halves upwards; saturates beyond `2^62`.
+    /// The value times `2^fraction` as an integer, to nearest, halves upwards; saturates.
     #[inline]
     pub const fn to_bits(self, fraction: u32) -> i64 {
         let mantissa = self.mantissa as i64;
         match self.places_below(fraction) {
             shift @ 1..=32 => (mantissa >> shift) + ((mantissa >> (shift - 1)) & 1),
-            shift @ -31..=0 => mantissa << -shift,
-            shift if shift > 0 => 0,
-            _ if mantissa < 0 => i64::MIN / 2,
-            _ => i64::MAX / 2,
+            shift @ -32..=0 => mantissa << -shift,
+            shift if shift > 0 || mantissa == 0 => 0,
+            _ if mantissa < 0 => i64::MIN,
+            _ => i64::MAX,
         }
     }
 
@@ -104,24 +109,25 @@ impl Scaled {
 
     #[inline]
     const fn negative(self) -> Self {
-        Self { mantissa: -self.mantissa, ..self }
+        Self { mantissa: self.mantissa.wrapping_neg(), ..self }
     }
 
-    /// `1 / sqrt(self)` of a positive number.
+    /// `2^31 times 1 / sqrt(size)` of the size of a number that is not zero, and half of its exponent: the root is
+    /// `root 2^(-31 - half)`.
     #[inline]
-    fn reciprocal_root(self) -> Self {
+    fn reciprocal_root(self) -> (u32, i32) {
         // An even exponent leaves the mantissa in [1/4, 1) of 32 bits.
         let odd = self.exponent & 1;
-        let mantissa = (self.mantissa as u32) << (1 - odd);
-        let root = reciprocal_root(mantissa);
-        Self::from_bits(root.into(), (self.exponent.wrapping_add(odd) / 2).wrapping_neg().wrapping_sub(31))
+        let root = reciprocal_root_of_whole(self.mantissa.unsigned_abs() << (1 - odd));
+        (root, self.exponent.wrapping_add(odd) / 2)
     }
 
     #[inline]
     fn plus(self, other: Self) -> Self {
         let (great, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
         let lower = great.exponent.wrapping_sub(small.exponent);
-        if lower > 33 {
+        // Negative only where exponents have wrapped.
+        if !(0..=33).contains(&lower) {
             return great;
         }
         let sum = (i64::from(great.mantissa) << 31) + ((i64::from(small.mantissa) << 31) >> lower);
@@ -172,10 +178,17 @@ impl Div for Scaled {
             (0, _) => ZERO,
             (_, 0) => MAX.signed_by(self),
             _ => {
+                // The root of a power of two would not fit 32 bits, and its quotient should be exact.
+                if other.mantissa.unsigned_abs() == 1 << 30 {
+                    let exponent = self.exponent.wrapping_sub(other.exponent).wrapping_add(1);
+                    return Self { exponent, ..self }.signed_by(other);
+                }
                 // No division instruction, and none of the library's: the square of the reciprocal root.
-                let size = Self { mantissa: other.mantissa.wrapping_abs(), ..other };
-                let root = size.reciprocal_root();
-                (self * root * root).signed_by(other)
+                let (root, half) = other.reciprocal_root();
+                let reciprocal = (u64::from(root) * u64::from(root)).wrapping_add(1 << 31) >> 32;
+                let quotient = i64::from(self.mantissa).wrapping_mul(reciprocal as i64);
+                let exponent = self.exponent.wrapping_sub(half.wrapping_mul(2)).wrapping_sub(61);
+                Self::from_bits(quotient, exponent).signed_by(other)
             }
         }
     }
@@ -210,6 +223,11 @@ impl Scalar for Scaled {
 
     #[inline]
     fn root(self) -> Self {
-        if self.mantissa > 0 { self * self.reciprocal_root() } else { ZERO }
+        if self.mantissa <= 0 {
+            return ZERO;
+        }
+        let (root, half) = self.reciprocal_root();
+        let product = i64::from(self.mantissa).wrapping_mul(root.into());
+        Self::from_bits(product, self.exponent.wrapping_sub(half).wrapping_sub(62))
     }
 }

@@ -6,9 +6,12 @@
 use core::hint::black_box;
 use core::panic::PanicInfo;
 
+use sunglint::blackbody;
 use sunglint::fixed::types::{I2F30, I16F16, U16F48, U20F12};
 use sunglint::highlight::{exact_rp_q30, karis_q30};
+use sunglint::radiometry::{Patch, SphereLight, flux, patch_solid_angle, sphere_radiance};
 use sunglint::raw::{self, SUN_Q14, SUN_Q30};
+use sunglint::real::{Scalar, Scaled};
 use sunglint::{DistantSphere, SUN, cap, disc, factored, normalization, normalize, reflect};
 
 unsafe extern "C" {
@@ -27,6 +30,8 @@ pub extern "C" fn _start() -> ! {
         q30();
         q16();
         light();
+        radiometry();
+        black_body();
         #[cfg(feature = "planted_panic")]
         keep(black_box([0; 3])[black_box(0_usize)]);
         #[cfg(feature = "planted_float")]
@@ -66,4 +71,26 @@ fn light() {
     keep(normalization::radiance_q12(black_box(U20F12::ZERO), black_box(U16F48::ZERO)));
     keep(normalization::sun_radius_at_q16(black_box(I16F16::ZERO)));
     keep((karis_q30(ratio, ratio), exact_rp_q30(ratio, ratio)));
+}
+
+fn radiometry() {
+    let (bits, cos) = black_box((0_u32, 0_i16));
+    keep((raw::irradiance_q16(bits, cos, bits), raw::diffuse_radiance_q16(cos, bits)));
+    keep(raw::area_radiance_q16(bits, bits, bits));
+    let number = black_box(Scaled::ZERO);
+    let patch = Patch { area: number, cos: number };
+    keep((flux(number, patch, patch, number), patch_solid_angle(number, number, number)));
+    keep(sphere_radiance(number, number));
+    let light = SphereLight::of_point([number; 3], [Scaled::ONE; 3], number, [number; 3]);
+    keep(light.and_then(|light| light.radiance_levels::<I16F16>()));
+    keep(SphereLight::like_the_sun([number; 3], number, [number; 3]));
+}
+
+fn black_body() {
+    let bits = black_box(0_u32);
+    keep((raw::relative_to_peak_q16(bits), raw::relative_to_peak_frequency_q16(bits), raw::tint_q16(bits, [bits; 3])));
+    let number = black_box(Scaled::ZERO);
+    keep((blackbody::radiance_per_wavelength(number, number), blackbody::radiance_per_frequency(number, number)));
+    keep((blackbody::peak_wavelength(number), blackbody::peak_frequency(number)));
+    keep((blackbody::radiant_exitance(number), blackbody::total_radiance(number)));
 }
