@@ -60,6 +60,8 @@ pub mod raw;
 pub mod real;
 #[cfg(feature = "fixed")]
 mod root;
+pub mod sampling;
+pub mod shadow;
 pub mod specular;
 pub mod sphere;
 #[cfg(feature = "oracle")]

@@ -10,6 +10,8 @@ pub mod judge;
 pub mod lights;
 pub mod method;
 pub mod quantity;
+pub mod sampling;
+pub mod shadow;
 
 pub use format::{Format, Visitor};
 pub use found::Found;

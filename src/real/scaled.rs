@@ -104,7 +104,7 @@ impl Scaled {
 
     #[inline]
     const fn negative(self) -> Self {
-        Self { mantissa: -self.mantissa, ..self }
+        Self { mantissa: self.mantissa.wrapping_neg(), ..self }
     }
 
     /// `1 / sqrt(self)` of a positive number.
@@ -124,7 +124,7 @@ impl Scaled {
         if lower > 33 {
             return great;
         }
-        let sum = (i64::from(great.mantissa) << 31) + ((i64::from(small.mantissa) << 31) >> lower);
+        let sum = (i64::from(great.mantissa) << 31) + (i64::from(small.mantissa) << 31).wrapping_shr(lower as u32);
         Self::from_bits(sum, great.exponent.wrapping_sub(62))
     }
 
@@ -211,5 +211,15 @@ impl Scalar for Scaled {
     #[inline]
     fn root(self) -> Self {
         if self.mantissa > 0 { self * self.reciprocal_root() } else { ZERO }
+    }
+
+    #[inline]
+    fn from_q31(bits: u32) -> Self {
+        Self::from_bits(bits.into(), -31)
+    }
+
+    #[inline]
+    fn to_q31(self) -> u32 {
+        u32::try_from(self.to_unsigned(31)).unwrap_or(u32::MAX)
     }
 }
