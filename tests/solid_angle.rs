@@ -43,7 +43,7 @@ fn three_ways_to_the_same_solid_angle() {
     }
 }
 
-/// `f64` to the precision of the oracle: relative error of solid angle and density.
+/// Relative error of solid angle and density.
 fn relative<T: Real>(light: &DistantLight) -> [f64; 2] {
     let cone = cone_of::<T>(light);
     let truth = light.solid_angle();
@@ -56,10 +56,7 @@ fn spheres() -> impl Iterator<Item = DistantLight> {
 }
 
 /// The density times the solid angle in units of the last place of 1.
-fn product<T: Float>(cone: &Cone<T>) -> f64
-where
-    T: Real<Scalar = T>,
-{
+fn product<T: Float + Real<Scalar = T>>(cone: &Cone<T>) -> f64 {
     ulps_of_one::<T>(big(cone.pdf().unwrap().exact()) * big(cone.solid_angle().exact()))
 }
 
@@ -80,7 +77,7 @@ fn density_times_solid_angle_is_one() {
     // Normal solid angles.
     let normal = spheres().filter(|light| light.solid_angle() >= 6.2e-5);
     assert_tight("f16, ULP", worst(normal.map(|light| product(&cone_of::<f16>(&light)))), 1.0);
-    let fixed = |product: fn(&DistantLight) -> f64| worst(spheres().filter(|light| light.sin() > 2e-3).map(|l| product(&l)));
+    let fixed = |product: fn(&DistantLight) -> f64| worst(spheres().map(|light| product(&light)));
     fn scaled<T: Real>(light: &DistantLight) -> f64 {
         let cone = cone_of::<T>(light);
         (cone.pdf().unwrap().exact() * cone.solid_angle().exact() - 1.0).abs() * f64::from(1_u32 << 30)
@@ -94,8 +91,9 @@ fn density_times_solid_angle_is_one() {
 #[test]
 fn density_and_solid_angle_are_those_of_the_light() {
     fn check<T: Real>(least: f64, budget: f64) {
-        let errors = spheres().filter(|light| light.sin() >= least || light.cos() < 0.0).flat_map(|light| relative::<T>(&light));
-        eprintln!("REL {} {:.3e}", T::NAME, worst(errors)); let _ = budget;
+        let errors =
+            spheres().filter(|light| light.sin() >= least || light.cos() < 0.0).flat_map(|light| relative::<T>(&light));
+        assert_tight(T::NAME, worst(errors), budget);
     }
     check::<f64>(0.0, RELATIVE[0]);
     check::<f32>(0.0, RELATIVE[1]);
@@ -106,7 +104,8 @@ fn density_and_solid_angle_are_those_of_the_light() {
     check::<I16F16>(1e-3, RELATIVE[6]);
 }
 
-const RELATIVE: [f64; 7] = [0.0; 7];
+/// 1.12 times what these lights give.
+const RELATIVE: [f64; 7] = [5.0e-16, 3.7e-7, 3.7e-7, 2.8e-3, 3.9e-6, 3.4e-9, 2.3e-7];
 
 /// Every ratio that f16 has.
 #[test]

@@ -99,7 +99,8 @@ pub fn mean_cosine(theta: f64, zenith: f64) -> f64 {
     // Where the ring begins to set.
     let sets = libm::fabs(PI / 2.0 - zenith).min(theta);
     let rises = (PI - libm::fabs(PI / 2.0 - zenith)).clamp(sets, theta.max(sets));
-    let sum = smooth_integral(ring, 0.0, sets) + smooth_integral(ring, sets, rises) + smooth_integral(ring, rises, theta);
+    let sum =
+        smooth_integral(ring, 0.0, sets) + smooth_integral(ring, sets, rises) + smooth_integral(ring, rises, theta);
     sum / solid_angle(theta)
 }
 

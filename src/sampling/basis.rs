@@ -2,6 +2,7 @@
 
 use crate::real::{Real, Scalar};
 use crate::specular::finite;
+use crate::vec3::each;
 
 /// Two unit vectors `[t, b]` perpendicular to the unit vector `l` and to each other, with `t x b = l`.
 ///
@@ -15,9 +16,13 @@ use crate::specular::finite;
 /// so that it is continuous over either half of the sphere, poles included, and no lane is beyond 1. Source: the
 /// branchless basis of Duff and others (2017), here with the part along an `l` that is not of length 1 taken off.
 ///
-/// Error, as `tests/sampling.rs` asserts: the greatest of `|t.l|`, `|b.l|`, `|t.b|` and the differences of the lengths
-/// from 1:
-/// BASIS_ERRORS
+/// Error, as `tests/sampling.rs` asserts: how far the three are from right angles in radians, and the two from length 1,
+/// whichever is greatest:
+///
+/// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
+/// |---|---|---|---|---|---|---|---|
+/// | worst | 5.0e-16 | 1.3e-7 | 1.3e-7 | 1.1e-3 | 1.5e-4 | 2.1e-9 | 3.5e-5 |
+///
 /// For an `l` that is zero, not finite or longer than 2 the answer is that of the z axis.
 #[inline]
 pub fn basis<T: Real>(l: [T; 3]) -> [[T; 3]; 2] {
@@ -36,6 +41,6 @@ pub fn basis<T: Real>(l: [T; 3]) -> [[T; 3]; 2] {
 /// `v` less its part along `l`.
 #[inline]
 fn across<T: Real>(v: [T::Scalar; 3], l: [T; 3]) -> [T; 3] {
-    let v = crate::vec3::each(v, T::lane);
+    let v = each(v, T::lane);
     T::diff(T::WIDE_ONE, v, T::dot(v, l), l)
 }

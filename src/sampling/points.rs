@@ -21,7 +21,8 @@ const STEPS: [u32; 2] = [3_242_174_889, 2_447_445_413];
 /// ```
 #[inline]
 pub fn points<T: Real>(first: u32, count: u32) -> impl Iterator<Item = [T; 2]> {
-    let place = move |index: u32, step: u32| fraction((1_u32 << 31).wrapping_add(first.wrapping_add(index).wrapping_mul(step)));
+    let place =
+        move |index: u32, step: u32| fraction((1_u32 << 31).wrapping_add(first.wrapping_add(index).wrapping_mul(step)));
     let [across, up] = STEPS;
     (0..count).map(move |index| [place(index, across), place(index, up)])
 }

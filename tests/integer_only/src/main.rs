@@ -27,6 +27,7 @@ pub extern "C" fn _start() -> ! {
         q30();
         q16();
         light();
+        sampling();
         #[cfg(feature = "planted_panic")]
         keep(black_box([0; 3])[black_box(0_usize)]);
         #[cfg(feature = "planted_float")]
@@ -66,4 +67,20 @@ fn light() {
     keep(normalization::radiance_q12(black_box(U20F12::ZERO), black_box(U16F48::ZERO)));
     keep(normalization::sun_radius_at_q16(black_box(I16F16::ZERO)));
     keep((karis_q30(ratio, ratio), exact_rp_q30(ratio, ratio)));
+}
+
+fn sampling() {
+    let l = black_box([0, 0, 0]);
+    let cone = raw::cone_q14(l, &SUN_Q14);
+    keep((raw::basis_q14(l), raw::cone_direction_q14(&cone, black_box([0; 2])), raw::cone_contains_q14(&cone, l)));
+    keep(raw::points_q14(black_box(0), black_box(1)).last());
+    keep(raw::soft_shadow_q14(&cone, l, black_box(0), black_box(1), |direction| black_box(direction) == [0; 3]));
+    keep((cone.pdf(), cone.solid_angle(), cone.mean_cosine()));
+    let l = black_box([0, 0, 0]);
+    let cone = raw::cone_q30(l, &SUN_Q30);
+    keep((raw::basis_q30(l), raw::cone_direction_q30(&cone, black_box([0; 2])), raw::cone_contains_q30(&cone, l)));
+    keep(raw::points_q30(black_box(0), black_box(1)).last());
+    let one = black_box(sunglint::real::Scaled::from_bits(1, 0));
+    let seen = sunglint::shadow::soft_shadow(&cone, [I2F30::ZERO; 3], black_box(0), black_box(1), |_| black_box(true));
+    keep((raw::soft_shadow_q30(&cone, l, black_box(0), black_box(1), |_| black_box(true)), seen.radiance(one, one)));
 }
