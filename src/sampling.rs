@@ -80,8 +80,8 @@ impl<T: Real> Cone<T> {
     /// towards the second. `z = 0` is `l`, `z = 1` the rim. Numbers below 0, and NaN, are taken for 0 and those above
     /// 1 for 1.
     ///
-    /// Every answer is within [`Cone::contains`]: one that rounding has put outside is moved inwards, by no more
-    /// than twice what it takes.
+    /// Every answer is within [`Cone::contains`]: one that rounding has put outside is moved inwards, first by
+    /// what it is outside, then by twice that, until it is not.
     ///
     /// Worst error in radians, against exact arithmetic on the same `l`, light and numbers, as `tests/sampling.rs` asserts
     /// (other discs: `trial::sampling`):
