@@ -65,8 +65,10 @@ pub mod raw;
 pub mod real;
 #[cfg(feature = "fixed")]
 mod root;
+pub mod sampling;
 #[cfg(feature = "heapless")]
 pub mod scene;
+pub mod shadow;
 pub mod specular;
 pub mod sphere;
 #[cfg(feature = "oracle")]

@@ -11,6 +11,10 @@ mod radiometry;
 pub use blackbody::{relative_to_peak_frequency_q16, relative_to_peak_q16, tint_q16};
 pub use radiometry::{area_radiance_q16, diffuse_radiance_q16, irradiance_q16};
 
+mod sampling;
+
+pub use sampling::*;
+
 use fixed::types::{I2F14, I2F30};
 
 use crate::light::{LightError, SUN};

@@ -151,7 +151,7 @@ fn tangent<T: Real>(e: [T; 3], l: [T; 3]) -> ([T; 3], u32) {
 
 /// `l`, or zero where it is not finite or longer than 2.
 #[cold]
-fn finite<T: Real>(l: [T; 3]) -> [T; 3] {
+pub(crate) fn finite<T: Real>(l: [T; 3]) -> [T; 3] {
     let square = T::dot(l, l);
     let short = square >= T::WIDE_ZERO && square <= T::twice(T::twice(T::WIDE_ONE));
     if short { l } else { [T::ZERO; 3] }

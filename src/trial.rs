@@ -13,7 +13,9 @@ pub mod lights;
 pub mod method;
 pub mod quantity;
 pub mod radiometry;
+pub mod sampling;
 pub mod shading;
+pub mod shadow;
 
 pub use format::{Format, Visitor};
 pub use found::Found;

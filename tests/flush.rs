@@ -70,6 +70,14 @@ impl<const SCALED: bool> Scalar for Flushing<SCALED> {
     fn root(self) -> Self {
         flush(self.0.root())
     }
+
+    fn from_q31(bits: u32) -> Self {
+        flush(f16::from_q31(bits))
+    }
+
+    fn to_q31(self) -> u32 {
+        self.0.to_q31()
+    }
 }
 
 impl<const SCALED: bool> Float for Flushing<SCALED> {
@@ -145,4 +153,14 @@ fn radiometry_and_black_bodies_keep_the_budgets_of_f16() {
     }
     let tints = blackbody::tint_error::<Flushing<true>>(1, 20_000);
     assert!(tints.max <= blackbody::TINT[Format::F16 as usize], "{tints:?}");
+}
+
+#[test]
+fn sampling_keeps_the_budget_of_f16() {
+    let budget = sunglint::trial::sampling::DIRECTION[0][Format::F16 as usize];
+    let worst = sunglint::trial::sampling::direction_error::<Flushing<true>>(&SUN, 1, 20_000).max;
+    assert!(worst <= budget && worst >= budget / 4.0, "{worst:e}");
+    let cone = sunglint::sampling::Cone::new([0.0, 0.6, 0.8].map(Flushing::<true>::from_f64), &DistantSphere::of(&SUN));
+    let density = cone.pdf().unwrap().exact() * SUN.solid_angle();
+    assert!((density - 1.0).abs() < 2e-3, "{density}");
 }

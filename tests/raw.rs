@@ -2,8 +2,10 @@
 
 use fixed::types::{I2F14, I2F30};
 use sunglint::raw::{SUN_Q14, SUN_Q30};
+use sunglint::sampling::{Cone, basis, points};
+use sunglint::shadow::soft_shadow;
 use sunglint::trial::input;
-use sunglint::{Real, SUN, cap, disc, factored, normalize, raw, reflect};
+use sunglint::{Real, SUN, Scalar, cap, disc, factored, normalize, raw, reflect};
 
 #[test]
 fn q14_is_i2f14() {
@@ -45,4 +47,42 @@ fn a_known_direction() {
     let (l, r) = ([0, 0, 16384], [2845, 0, 16135]);
     // sin and cos of the Sun's 0.2665 degrees, in Q14: 76.19 and 16383.82.
     assert_eq!(raw::cap_q14(l, r, &SUN_Q14), [76, 0, 16384]);
+}
+
+#[test]
+fn sampling_in_q14_is_that_of_i2f14() {
+    for (pair, point) in input::random(3, 500, SUN.angular_radius()).zip(points::<I2F14>(0, 500)) {
+        let (l, r) = (pair.l.map(I2F14::from_f64), pair.r.map(I2F14::from_f64));
+        let (a, b) = (l.map(I2F14::to_bits), r.map(I2F14::to_bits));
+        let (cone, raw_cone) = (Cone::new(l, &SUN_Q14), raw::cone_q14(a, &SUN_Q14));
+        assert_eq!(raw::basis_q14(a), basis(l).map(|v| v.map(I2F14::to_bits)));
+        let direction = raw::cone_direction_q14(&raw_cone, point.map(I2F14::to_bits));
+        assert_eq!(direction, cone.direction(point).map(I2F14::to_bits));
+        assert_eq!(raw::cone_contains_q14(&raw_cone, b), cone.contains(r));
+        let seen = soft_shadow(&cone, r, 7, 20, |direction| direction[0] > l[0]);
+        let means = raw::soft_shadow_q14(&raw_cone, b, 7, 20, |direction| direction[0] > a[0]);
+        for (mean, exact) in means.into_iter().zip([seen.visible, seen.cosine].map(Scalar::exact)) {
+            assert!((f64::from(mean) - exact * 2_f64.powi(30)).abs() <= 0.5, "{mean} {exact}");
+        }
+    }
+    assert!(raw::points_q14(3, 100).eq(points::<I2F14>(3, 100).map(|point| point.map(I2F14::to_bits))));
+}
+
+#[test]
+fn sampling_in_q30_is_that_of_i2f30() {
+    for (pair, point) in input::random(4, 500, SUN.angular_radius()).zip(points::<I2F30>(0, 500)) {
+        let (l, r) = (pair.l.map(I2F30::from_f64), pair.r.map(I2F30::from_f64));
+        let (a, b) = (l.map(I2F30::to_bits), r.map(I2F30::to_bits));
+        let (cone, raw_cone) = (Cone::new(l, &SUN_Q30), raw::cone_q30(a, &SUN_Q30));
+        assert_eq!(raw::basis_q30(a), basis(l).map(|v| v.map(I2F30::to_bits)));
+        let direction = raw::cone_direction_q30(&raw_cone, point.map(I2F30::to_bits));
+        assert_eq!(direction, cone.direction(point).map(I2F30::to_bits));
+        assert_eq!(raw::cone_contains_q30(&raw_cone, b), cone.contains(r));
+        let seen = soft_shadow(&cone, r, 7, 20, |direction| direction[0] > l[0]);
+        let means = raw::soft_shadow_q30(&raw_cone, b, 7, 20, |direction| direction[0] > a[0]);
+        for (mean, exact) in means.into_iter().zip([seen.visible, seen.cosine].map(Scalar::exact)) {
+            assert!((f64::from(mean) - exact * 2_f64.powi(30)).abs() <= 0.5, "{mean} {exact}");
+        }
+    }
+    assert!(raw::points_q30(3, 100).eq(points::<I2F30>(3, 100).map(|point| point.map(I2F30::to_bits))));
 }

@@ -46,6 +46,9 @@ pub(crate) const TWICE_PI: [f64; 2] = [core::f64::consts::TAU, 2.449_293_598_294
 /// One over pi.
 pub(crate) const INVERSE_PI: [f64; 2] = [core::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17];
 
+/// 1 in Q31.
+const Q31: f32 = 2_147_483_648.0;
+
 /// A constant as its nearest f32 and what that lacks.
 pub(crate) const fn pair_f32([value, low]: [f64; 2]) -> [f32; 2] {
     let high = value as f32;
@@ -77,6 +80,16 @@ impl Scalar for f64 {
     #[inline]
     fn root(self) -> Self {
         libm::sqrt(self)
+    }
+
+    #[inline]
+    fn from_q31(bits: u32) -> Self {
+        f64::from(bits) / Q31 as f64
+    }
+
+    #[inline]
+    fn to_q31(self) -> u32 {
+        (self * Q31 as f64) as u32
     }
 }
 
@@ -128,6 +141,16 @@ impl Scalar for f32 {
     #[inline]
     fn root(self) -> Self {
         libm::sqrtf(self)
+    }
+
+    #[inline]
+    fn from_q31(bits: u32) -> Self {
+        bits as f32 / Q31
+    }
+
+    #[inline]
+    fn to_q31(self) -> u32 {
+        (self * Q31) as u32
     }
 }
 

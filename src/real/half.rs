@@ -39,6 +39,16 @@ impl Scalar for f16 {
     fn root(self) -> Self {
         f16::from_f32(libm::sqrtf(f32::from(self)))
     }
+
+    #[inline]
+    fn from_q31(bits: u32) -> Self {
+        f16::from_f32(f32::from_q31(bits))
+    }
+
+    #[inline]
+    fn to_q31(self) -> u32 {
+        f32::from(self).to_q31()
+    }
 }
 
 impl Float for f16 {

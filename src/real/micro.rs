@@ -31,6 +31,16 @@ impl Scalar for F32 {
     fn root(self) -> Self {
         self * reciprocal_root(self)
     }
+
+    #[inline]
+    fn from_q31(bits: u32) -> Self {
+        F32(f32::from_q31(bits))
+    }
+
+    #[inline]
+    fn to_q31(self) -> u32 {
+        self.0.to_q31()
+    }
 }
 
 impl Float for F32 {

@@ -33,6 +33,12 @@ pub trait Scalar:
 
     /// The square root; zero for zero, NaN or zero for negatives.
     fn root(self) -> Self;
+
+    /// `bits / 2^31`, to nearest: how integers become fractions of 1, as no cast of a narrow format can.
+    fn from_q31(bits: u32) -> Self;
+
+    /// `self * 2^31` without its fraction, for sums in integers; saturates at zero and below 2. NaN is zero.
+    fn to_q31(self) -> u32;
 }
 
 /// A number known at compile time, in every format that it may be needed in.

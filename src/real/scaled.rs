@@ -130,7 +130,7 @@ impl Scaled {
         if !(0..=33).contains(&lower) {
             return great;
         }
-        let sum = (i64::from(great.mantissa) << 31) + ((i64::from(small.mantissa) << 31) >> lower);
+        let sum = (i64::from(great.mantissa) << 31) + (i64::from(small.mantissa) << 31).wrapping_shr(lower as u32);
         Self::from_bits(sum, great.exponent.wrapping_sub(62))
     }
 
@@ -229,5 +229,15 @@ impl Scalar for Scaled {
         let (root, half) = self.reciprocal_root();
         let product = i64::from(self.mantissa).wrapping_mul(root.into());
         Self::from_bits(product, self.exponent.wrapping_sub(half).wrapping_sub(62))
+    }
+
+    #[inline]
+    fn from_q31(bits: u32) -> Self {
+        Self::from_bits(bits.into(), -31)
+    }
+
+    #[inline]
+    fn to_q31(self) -> u32 {
+        u32::try_from(self.to_unsigned(31)).unwrap_or(u32::MAX)
     }
 }

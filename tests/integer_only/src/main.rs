@@ -32,6 +32,7 @@ pub extern "C" fn _start() -> ! {
         light();
         radiometry();
         black_body();
+        sampling();
         #[cfg(feature = "planted_panic")]
         keep(black_box([0; 3])[black_box(0_usize)]);
         #[cfg(feature = "planted_float")]
@@ -93,4 +94,20 @@ fn black_body() {
     keep((blackbody::radiance_per_wavelength(number, number), blackbody::radiance_per_frequency(number, number)));
     keep((blackbody::peak_wavelength(number), blackbody::peak_frequency(number)));
     keep((blackbody::radiant_exitance(number), blackbody::total_radiance(number)));
+}
+
+fn sampling() {
+    let l = black_box([0, 0, 0]);
+    let cone = raw::cone_q14(l, &SUN_Q14);
+    keep((raw::basis_q14(l), raw::cone_direction_q14(&cone, black_box([0; 2])), raw::cone_contains_q14(&cone, l)));
+    keep(raw::points_q14(black_box(0), black_box(1)).last());
+    keep(raw::soft_shadow_q14(&cone, l, black_box(0), black_box(1), |direction| black_box(direction) == [0; 3]));
+    keep((cone.pdf(), cone.solid_angle(), cone.mean_cosine()));
+    let l = black_box([0, 0, 0]);
+    let cone = raw::cone_q30(l, &SUN_Q30);
+    keep((raw::basis_q30(l), raw::cone_direction_q30(&cone, black_box([0; 2])), raw::cone_contains_q30(&cone, l)));
+    keep(raw::points_q30(black_box(0), black_box(1)).last());
+    let one = black_box(sunglint::real::Scaled::from_bits(1, 0));
+    let seen = sunglint::shadow::soft_shadow(&cone, [I2F30::ZERO; 3], black_box(0), black_box(1), |_| black_box(true));
+    keep((raw::soft_shadow_q30(&cone, l, black_box(0), black_box(1), |_| black_box(true)), seen.radiance(one, one)));
 }
