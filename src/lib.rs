@@ -49,6 +49,7 @@
 #![warn(missing_docs)]
 
 mod constant;
+pub mod diffuse;
 pub mod highlight;
 pub mod light;
 pub mod normalization;
@@ -73,6 +74,7 @@ pub use half;
 #[cfg(feature = "micromath")]
 pub use micromath;
 
+pub use diffuse::{illuminance, lambert, lambert_disc, relative_illuminance};
 pub use light::{DistantLight, LightError, SUN};
 pub use real::{Float, Real, Scalar};
 pub use specular::{cap, disc, epic, factored, normalize, reflect};

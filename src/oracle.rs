@@ -5,6 +5,8 @@
 
 use core::f64::consts::PI;
 
+pub mod diffuse;
+
 type Vector = [f64; 3];
 
 /// The angle between two vectors of any length, in radians, to full precision for small angles too; 0 for a zero

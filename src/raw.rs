@@ -4,6 +4,9 @@
 //! rounding; up to 1.16 nothing overflows. Each function is the one of the same name in [`specular`], in integers to
 //! the end, with that function's formula, special cases and error; `tests/raw.rs` holds the two to the same bits.
 
+mod diffuse;
+pub use diffuse::*;
+
 use fixed::types::{I2F14, I2F30};
 
 use crate::light::{LightError, SUN};

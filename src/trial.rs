@@ -3,6 +3,7 @@
 //! No standard library, no allocation.
 
 pub mod budget;
+pub mod diffuse;
 pub mod format;
 pub mod found;
 pub mod input;

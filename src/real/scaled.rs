@@ -104,7 +104,7 @@ impl Scaled {
 
     #[inline]
     const fn negative(self) -> Self {
-        Self { mantissa: -self.mantissa, ..self }
+        Self { mantissa: self.mantissa.wrapping_neg(), ..self }
     }
 
     /// `1 / sqrt(self)` of a positive number.
@@ -120,7 +120,7 @@ impl Scaled {
     #[inline]
     fn plus(self, other: Self) -> Self {
         let (great, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
-        let lower = great.exponent.wrapping_sub(small.exponent);
+        let lower = great.exponent.abs_diff(small.exponent);
         if lower > 33 {
             return great;
         }
