@@ -19,33 +19,27 @@ fn assert_near(value: f64, expected: f64, tolerance: f64) {
     assert!((value - expected).abs() <= tolerance, "{value} is not {expected}");
 }
 
-/// A sky of radiance 1: half of all directions as one disc, from overhead.
+/// A sky of radiance 1: half of all directions as one disc, from overhead. The format's nearest pi arrives, and the
+/// very albedo leaves.
 struct WhiteSky;
 
 impl Visitor for WhiteSky {
-    type Output = [f64; 3];
+    type Output = ();
 
-    fn visit<T: Real>(self) -> [f64; 3] {
+    fn visit<T: Real>(self) {
         let sky = DistantSphere::<T>::of(&light(1.0));
         let arriving = illuminance(T::Scalar::ONE, T::WIDE_ONE, &sky);
-        let leaving = [0.18, 1.0].map(|albedo| {
-            let albedo = T::from_f64(albedo);
-            let radiance = lambert_disc(albedo, T::level(arriving), T::WIDE_ONE, &sky);
-            T::of_level(radiance).exact() / albedo.to_f64() - 1.0
-        });
-        [arriving.exact() / PI - 1.0, leaving[0], leaving[1]]
+        assert_eq!(arriving, T::Scalar::nearest(PI), "{}", T::NAME);
+        for albedo in [0.0, 0.18, 0.5, 1.0].map(T::from_f64) {
+            let leaving = lambert_disc(albedo, T::level(arriving), T::WIDE_ONE, &sky);
+            assert_eq!(T::of_level(leaving).exact(), albedo.to_f64(), "{}", T::NAME);
+        }
     }
 }
 
 #[test]
 fn a_white_sky_gives_pi_and_a_surface_under_it_its_albedo() {
-    // Two units of the last place; U16F16, in which 0.18 is held, has steps of 8.5e-5 of that.
-    let allowed = [4.5e-16, 2.4e-7, 2.4e-7, 2e-3, 8.5e-5, 4e-9, 8.5e-5];
-    for format in Format::ALL {
-        let errors = format.visit(WhiteSky);
-        println!("{}: {errors:?}", format.name());
-        assert!(errors.iter().all(|error| error.abs() <= allowed[format as usize]), "{}: {errors:?}", format.name());
-    }
+    Format::ALL.into_iter().for_each(|format| format.visit(WhiteSky));
 }
 
 /// A white sky as a Riemann sum: 20 000 small discs of equal solid angle, at even steps of height and a golden angle
@@ -74,13 +68,10 @@ impl Visitor for Patches {
 
 #[test]
 fn a_sky_of_small_discs_gives_pi() {
-    // A disc of that size facing the plane gives 5e-5 less than its solid angle; f16 loses up to half a unit of every
-    // patch, whose illuminance of 6e-4 it holds to 5e-4.
+    // In f64 this is the sum's own error.
+    let budgets = [1.8e-7, 1.3e-7, 1.3e-7, 2.9e-4, 2.8e-5, 1.8e-7, 6.7e-6];
     for format in Format::ALL {
-        let error = format.visit(Patches);
-        println!("{}: {error:e}", format.name());
-        let allowed = if format == Format::F16 { 2e-3 } else { 1e-4 };
-        assert!(error.abs() <= allowed, "{}: {error:e}", format.name());
+        assert_tight(format.name(), format.visit(Patches).abs(), budgets[format as usize]);
     }
 }
 
@@ -106,7 +97,7 @@ impl Visitor for Orientations {
 
 #[test]
 fn no_light_is_lost_or_gained_at_the_horizon() {
-    let budgets = [7e-8, 9e-8, 6e-6, 2e-3, 7e-8, 7e-8, 7e-8];
+    let budgets = [1.4e-7, 2.3e-7, 7.6e-6, 6.1e-4, 1.4e-7, 1.4e-7, 1.4e-7];
     for format in Format::ALL {
         let errors = BUDGETED.into_iter().map(|light| format.visit(Orientations(light.light)));
         assert_tight(format.name(), errors.fold(0.0, f64::max), budgets[format as usize]);
@@ -147,31 +138,31 @@ fn naive(n_dot_l: f32, x: f32) -> f32 {
     let sine = (1.0 - n_dot_l * n_dot_l).sqrt();
     let y = -cotangent * n_dot_l / sine;
     let root = (1.0 - y * y).sqrt();
-    let flat = (y.acos() * n_dot_l - cotangent * sine * root) * x * x;
-    (flat + (sine * root / cotangent).atan()) / core::f32::consts::PI
+    let flat = (libm::acosf(y) * n_dot_l - cotangent * sine * root) * x * x;
+    (flat + libm::atanf(sine * root / cotangent)) / core::f32::consts::PI
 }
 
+/// With three hundredths of the radius above the plane and more, against the truth; and how far below zero.
 #[test]
 fn the_closed_form_in_f32_is_17_times_off_and_negative_at_the_sun() {
+    const STEPS: u16 = 20_000;
     let sun = DistantSphere::<f32>::new(&SUN);
     let x = sun.sin();
     let (mut factor, mut least, mut new) = (0.0_f64, 0.0_f64, 0.0_f64);
-    for step in 1..20_000_u16 {
+    for step in 1..STEPS {
         // From the last sliver up to where the centre sets.
-        let n_dot_l = -x * (1.0 - f32::from(step) / 20_000.0);
-        let truth = oracle::diffuse::illuminance(n_dot_l.into(), x.into(), 1.0) / PI;
-        let old = f64::from(naive(n_dot_l, x));
+        let left = f32::from(step) / f32::from(STEPS);
+        let n_dot_l = -x * (1.0 - left);
+        let truth = oracle::diffuse::relative_illuminance(n_dot_l.into(), x.into(), 1.0);
+        let old = f64::from(naive(n_dot_l, x)) / f64::from(x * x);
         least = least.min(old);
-        if f64::from(step) >= 20_000.0 * 0.02 {
-            factor = factor.max((old / truth).abs());
-        }
-        let relative = f64::from(relative_illuminance(n_dot_l, &sun)) * f64::from(x) * f64::from(x);
-        new = new.max((relative / truth - 1.0).abs());
+        factor = if left >= 0.03 { factor.max((old / truth).abs()) } else { factor };
+        new = new.max((f64::from(relative_illuminance(n_dot_l, &sun)) / truth - 1.0).abs());
     }
-    println!("factor {factor}, least {least:e} ({} of the Sun), new {new:e}", least / f64::from(x * x));
-    assert!(factor > 3.0);
-    assert!(least < 0.0);
-    assert!(new <= 1.2 * RELATIVE[0][1], "{new:e}");
+    println!("{factor} times off, down to {least:e} of the Sun facing the plane; without cancellation {new:e}");
+    assert_near(factor, 16.6, 0.5);
+    assert_near(least, -5.1e-6, 0.2e-6);
+    assert!(new <= RELATIVE[0][1] && new >= RELATIVE[0][1] / 4.0, "{new:e}");
 }
 
 /// Diffuse light from the shifted direction of the highlight, over that from the centre: greatest and least.
@@ -189,15 +180,17 @@ fn shifted(ratio: f64, elevation: f64) -> [f64; 2] {
     quotients.fold([0.0, f64::INFINITY], |[most, least]: [f64; 2], value| [most.max(value), least.min(value)])
 }
 
+/// By a quarter and more where the Sun stands a degree high; by 1.37 to 0.37 under a lamp of ratio 0.5 at 45 degrees:
+/// by the camera's place alone.
 #[test]
 fn the_shifted_direction_is_wrong_for_diffuse_light() {
     for (ratio, degrees, most, least) in
-        [(SUN.sin(), 1.0_f64, 1.266, 0.734), (SUN.sin(), 45.0, 1.0046, 0.9954), (0.5, 45.0, 1.366, 0.5)]
+        [(SUN.sin(), 1.0_f64, 1.266, 0.734), (SUN.sin(), 45.0, 1.0046, 0.9954), (0.5, 45.0, 1.366, 0.366)]
     {
         let quotients = shifted(ratio, degrees.to_radians());
         println!("{ratio} at {degrees} degrees: {quotients:?}");
-        assert_near(quotients[0], most, 0.02);
-        assert_near(quotients[1], least, 0.02);
+        assert_near(quotients[0], most, 0.0005);
+        assert_near(quotients[1], least, 0.0005);
     }
 }
 
@@ -212,7 +205,8 @@ fn without_pi_a_white_surface_under_a_white_sky_sends_out_three_times_what_arriv
     assert_near((without / right).into(), 1.0 / FRAC_1_PI, 1e-6);
 }
 
-/// A plane that is cut off where the light's centre sets loses what a large light still gives: half of the sky gives half.
+/// A plane that is cut off where the light's centre sets loses what a large light still gives: half of the sky gives
+/// half.
 #[test]
 fn the_cosine_alone_loses_what_a_large_light_gives_from_behind_the_horizon() {
     for (ratio, expected) in [(1.0, 0.5), (0.5, 0.1153), (SUN.sin(), 0.000_987)] {

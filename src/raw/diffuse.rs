@@ -33,8 +33,8 @@ pub fn relative_illuminance_q14(n_dot_l: i32, light: &SphereQ14) -> i32 {
     I2F14::narrow(diffuse::relative_illuminance(n_dot_l, light))
 }
 
-/// [`relative_illuminance`](diffuse::relative_illuminance): `n_dot_l` in Q60, the answer in Q60 from 0 to `2^60`, of which
-/// 31 bits are significant.
+/// [`relative_illuminance`](diffuse::relative_illuminance): `n_dot_l` in Q60, the answer in Q60 from 0 to `2^60`, of
+/// which 31 bits are significant.
 pub fn relative_illuminance_q30(n_dot_l: i64, light: &SphereQ30) -> i64 {
     I2F30::narrow(diffuse::relative_illuminance(n_dot_l, light))
 }
