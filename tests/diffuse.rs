@@ -121,8 +121,11 @@ impl Visitor for Grey {
             let answer = T::of_level(lambert_disc(albedo, level, cosine, &sphere)).exact();
             // Of f16's relative illuminance its least normal number counts; a fixed-point level has its step.
             let least = if T::NAME == f16::NAME { white / 16384.0 } else { 0.0 };
-            let unit =
-                if index >= Format::I2F14 as usize { 1.0 / 65536.0 } else { truth * 2.0 * Format::ALL[index].step() };
+            let unit = match Format::ALL[index] {
+                Format::I2F14 | Format::I16F16 => 1.0 / 65536.0,
+                Format::I2F30 => truth / f64::from(1 << 30) + 1.0 / 4_294_967_296.0,
+                float => truth * 2.0 * float.step(),
+            };
             let allowed = diffuse::RELATIVE[0][index] * truth.max(least) + diffuse::LAMBERT[index] * unit;
             if answer == truth { 0.0 } else { (answer - truth).abs() / allowed }
         }))
@@ -134,7 +137,8 @@ fn lambert_under_a_disc_has_the_error_of_its_two_parts() {
     for format in Format::ALL {
         let part = format.visit(Grey);
         println!("{}: {part}", format.name());
-        assert!(part <= 1.0, "{}: {part}", format.name());
+        // The worst of both parts do not meet.
+        assert!((0.15..=1.0).contains(&part), "{}: {part}", format.name());
     }
 }
 
