@@ -50,6 +50,7 @@
 
 pub mod blackbody;
 mod constant;
+pub mod diffuse;
 mod exponential;
 pub mod highlight;
 pub mod light;
@@ -82,6 +83,7 @@ pub use half;
 #[cfg(feature = "micromath")]
 pub use micromath;
 
+pub use diffuse::{illuminance, lambert, lambert_disc, relative_illuminance};
 pub use light::{DistantLight, LightError, SUN};
 pub use real::{Float, Real, Scalar};
 pub use specular::{cap, disc, epic, factored, normalize, reflect};

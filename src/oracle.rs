@@ -11,6 +11,7 @@ pub mod radiometry;
 use core::f64::consts::PI;
 
 pub mod cone;
+pub mod diffuse;
 
 type Vector = [f64; 3];
 

@@ -15,6 +15,9 @@ mod sampling;
 
 pub use sampling::*;
 
+mod diffuse;
+pub use diffuse::*;
+
 use fixed::types::{I2F14, I2F30};
 
 use crate::light::{LightError, SUN};

@@ -4,6 +4,7 @@
 
 pub mod blackbody;
 pub mod budget;
+pub mod diffuse;
 pub mod format;
 pub mod found;
 pub mod gloss;

@@ -5,9 +5,12 @@ use std::ops::{Add, Div, Mul, Sub};
 use half::f16;
 use sunglint::oracle::planck::Law;
 use sunglint::real::Constant;
+use sunglint::trial::diffuse::RELATIVE;
+use sunglint::trial::lights::BUDGETED;
 use sunglint::trial::radiometry::Formula;
 use sunglint::trial::{Format, Method, blackbody, budget, input, judge};
 use sunglint::{DistantSphere, Float, Real, SUN, Scalar, cap, oracle};
+use sunglint::{DistantSphere, Float, Real, SUN, Scalar, cap, oracle, relative_illuminance};
 
 /// f16 whose every operation flushes subnormal arguments and results; `SCALED` with this crate's scale for squares.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -163,4 +166,23 @@ fn sampling_keeps_the_budget_of_f16() {
     let cone = sunglint::sampling::Cone::new([0.0, 0.6, 0.8].map(Flushing::<true>::from_f64), &DistantSphere::of(&SUN));
     let density = cone.pdf().unwrap().exact() * SUN.solid_angle();
     assert!((density - 1.0).abs() < 2e-3, "{density}");
+}
+
+/// A setting disc keeps the budget of f16 down to the least normal number, below which its light is zero; the segment's
+/// part of it is scaled by 64 and lost below that.
+#[test]
+fn a_setting_disc_keeps_the_budget_of_f16() {
+    const LEAST: f64 = 1.0 / 16384.0;
+    for (light, budgets) in BUDGETED.into_iter().zip(RELATIVE) {
+        let sphere = DistantSphere::<Flushing<true>>::of(&light.light);
+        let x = sphere.sin().exact();
+        for step in -1000..=1000 {
+            let cosine = Flushing::<true>::from_f64(x * f64::from(step) / 1000.0);
+            let truth = oracle::diffuse::relative_illuminance(cosine.exact(), x, 1.0);
+            let answer = relative_illuminance(cosine, &sphere).exact();
+            let kept = budgets[Format::F16 as usize] * truth + LEAST / 64.0;
+            let allowed = if truth > 1.01 * LEAST { kept } else { LEAST };
+            assert!((answer - truth).abs() <= allowed, "{} at {step}: {answer:e}, not {truth:e}", light.name);
+        }
+    }
 }

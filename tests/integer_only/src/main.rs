@@ -8,11 +8,14 @@ use core::panic::PanicInfo;
 
 use sunglint::blackbody;
 use sunglint::fixed::types::{I2F30, I16F16, U16F48, U20F12};
+use sunglint::fixed::types::{I2F30, I16F16, U16F16, U16F48, U20F12};
 use sunglint::highlight::{exact_rp_q30, karis_q30};
 use sunglint::radiometry::{Patch, SphereLight, flux, patch_solid_angle, sphere_radiance};
 use sunglint::raw::{self, SUN_Q14, SUN_Q30};
 use sunglint::real::{Scalar, Scaled};
 use sunglint::{DistantSphere, SUN, cap, disc, factored, normalization, normalize, reflect};
+use sunglint::{DistantSphere, Real, SUN, cap, disc, factored, normalization, normalize, reflect};
+use sunglint::{illuminance, lambert, lambert_disc};
 
 unsafe extern "C" {
     safe fn there_is_a_panic() -> !;
@@ -49,18 +52,27 @@ fn q14() {
     let (l, r) = black_box(([0, 0, 0], [0, 0, 0]));
     keep((raw::cap_q14(l, r, &SUN_Q14), raw::factored_q14(l, r, &SUN_Q14), raw::disc_q14(l, r, &SUN_Q14)));
     keep((raw::reflect_q14(l, r), raw::normalize_q14(l)));
+    let (albedo, level, n_dot_l) = black_box((0, 0, 0));
+    keep((raw::lambert_q14(albedo, level, n_dot_l), raw::lambert_disc_q14(albedo, level, n_dot_l, &SUN_Q14)));
+    keep(raw::relative_illuminance_q14(n_dot_l, &SUN_Q14));
 }
 
 fn q30() {
     let (l, r) = black_box(([0, 0, 0], [0, 0, 0]));
     keep((raw::cap_q30(l, r, &SUN_Q30), raw::factored_q30(l, r, &SUN_Q30), raw::disc_q30(l, r, &SUN_Q30)));
     keep((raw::reflect_q30(l, r), raw::normalize_q30(l)));
+    let (albedo, level, n_dot_l) = black_box((0, 0, 0));
+    keep((raw::lambert_q30(albedo, level, n_dot_l), raw::lambert_disc_q30(albedo, level, n_dot_l, &SUN_Q30)));
+    keep(raw::relative_illuminance_q30(n_dot_l, &SUN_Q30));
 }
 
 fn q16() {
     const LIGHT: DistantSphere<I16F16> = DistantSphere::<I16F16>::new(&SUN);
     let (l, r) = black_box(([I16F16::ZERO; 3], [I16F16::ZERO; 3]));
     keep((cap(l, r, &LIGHT), factored(l, r, &LIGHT), disc(l, r, &LIGHT), reflect(l, r), normalize(l)));
+    let (n_dot_l, level) = black_box((0, U16F16::ZERO));
+    keep((lambert(I16F16::ZERO, level, n_dot_l), lambert_disc(I16F16::ZERO, level, n_dot_l, &LIGHT)));
+    keep(illuminance::<I16F16>(I16F16::of_level(level), n_dot_l, &LIGHT));
 }
 
 fn light() {
