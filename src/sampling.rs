@@ -90,7 +90,7 @@ impl<T: Real> Cone<T> {
     /// |---|---|---|---|---|---|---|---|
     /// | the Sun | 2.8e-16 | 1.1e-7 | 1.1e-7 | 8.2e-4 | 1.2e-4 | 1.8e-9 | 3.0e-5 |
     /// | the same over its radius | 6.0e-14 | 2.4e-5 | 2.4e-5 | 0.18 | 0.026 | 3.9e-7 | 6.5e-3 |
-    /// | ratio 0.5 | 4.3e-16 | 1.3e-7 | 4.4e-6 | 1.3e-3 | 1.2e-4 | 1.9e-9 | 2.9e-5 |
+    /// | ratio 0.5 | 4.3e-16 | 1.3e-7 | 4.4e-6 | 1.3e-3 | 1.2e-4 | 2.0e-9 | 2.9e-5 |
     /// | half the sky | 9.1e-16 | 2.4e-7 | 5.0e-6 | 2.5e-3 | 1.5e-4 | 2.6e-9 | 3.9e-5 |
     ///
     /// The worst are samples of the rim that have been moved inwards; the root mean square at the Sun is a

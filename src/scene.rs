@@ -21,7 +21,8 @@
 
 use core::fmt;
 
-use crate::highlight::{ConeGgx, Gloss, Highlight};
+use crate::diffuse::relative_illuminance;
+use crate::highlight::{ConeGgx, Gloss, Highlight, INVERSE_PI};
 use crate::material::Surface;
 use crate::real::{Constant, Real, Scalar};
 use crate::sphere::DistantSphere;
@@ -123,7 +124,9 @@ impl<T: Real, const LIGHTS: usize, H: Highlight<T>> Scene<T, LIGHTS, H> {
 
     /// Radiance in red, green and blue that a surface of unit normal `n` sends towards the unit direction `v`.
     ///
-    /// Black without lights, and where `n` faces away from all of them or from the viewer.
+    /// Of each light: Lambert's law for what of the disc is above the surface
+    /// ([`relative_illuminance`]), and the highlight while its centre is. Black without lights, where `n` faces
+    /// away from all of them or from the viewer, and for NaN.
     #[inline]
     pub fn shade(&self, n: [T; 3], v: [T; 3]) -> [T::Level; 3] {
         let mut sum = [T::Scalar::ZERO; 3];
@@ -161,16 +164,15 @@ impl<T: Real, const LIGHTS: usize, H: Highlight<T>> Scene<T, LIGHTS, H> {
 }
 
 impl<T: Real, H: Highlight<T>> Lit<T, H> {
-    /// The cosine of the light's centre over pi, and the highlight.
+    /// The plane's share of the light's illuminance over pi, and the highlight; nothing for a viewer below the surface.
     #[inline]
     fn seen(&self, n: [T; 3], v: [T; 3]) -> (T::Scalar, Gloss<T::Scalar>) {
-        let zero = T::Scalar::ZERO;
-        let n_dot_l = T::scalar(T::dot(n, self.lamp.direction));
-        let lit = n_dot_l > zero && T::dot(n, v) > T::WIDE_ZERO;
-        if !lit {
-            return (zero, Gloss::DARK);
+        let visible = T::dot(n, v) > T::WIDE_ZERO;
+        if !visible {
+            return (T::Scalar::ZERO, Gloss::DARK);
         }
-        let facing = n_dot_l * T::Scalar::constant(crate::highlight::INVERSE_PI);
+        let share = relative_illuminance(T::dot(n, self.lamp.direction), &self.lamp.sphere);
+        let facing = share * T::Scalar::constant(INVERSE_PI);
         (facing, self.highlight.shade(n, v, self.lamp.direction))
     }
 }

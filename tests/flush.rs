@@ -9,7 +9,6 @@ use sunglint::trial::diffuse::RELATIVE;
 use sunglint::trial::lights::BUDGETED;
 use sunglint::trial::radiometry::Formula;
 use sunglint::trial::{Format, Method, blackbody, budget, input, judge};
-use sunglint::{DistantSphere, Float, Real, SUN, Scalar, cap, oracle};
 use sunglint::{DistantSphere, Float, Real, SUN, Scalar, cap, oracle, relative_illuminance};
 
 /// f16 whose every operation flushes subnormal arguments and results; `SCALED` with this crate's scale for squares.

@@ -12,6 +12,7 @@ use super::input::{on_sphere, turned};
 use super::shading::{Make, Shading, ShadingVisitor};
 use crate::highlight::Highlight;
 use crate::light::{DistantLight, SUN};
+use crate::oracle;
 use crate::oracle::highlight::{Glossy, Pixel};
 use crate::oracle::quadrature::Quadrature;
 use crate::real::{Real, Scalar};
@@ -89,15 +90,15 @@ fn rounded<T: Real>(pixel: &Pixel) -> ([[T; 3]; 3], Pixel) {
 }
 
 /// The diffuse part of a pixel's true value.
-fn diffuse(pixel: &Pixel, albedo: f64) -> f64 {
+fn diffuse(case: &Case, pixel: &Pixel, albedo: f64) -> f64 {
     let pixel = pixel.unit();
-    albedo * cosine(pixel.n, pixel.l).max(0.0)
+    albedo * oracle::diffuse::relative_illuminance(cosine(pixel.n, pixel.l), case.light.sin(), case.light.cos())
 }
 
 /// The exact value of a whole pixel by the method's own formula.
 fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
     let albedo = T::Scalar::nearest(ALBEDO).exact();
-    diffuse(pixel, albedo) + PI * shading.truth(&case.glossy::<T>(), pixel)
+    diffuse(case, pixel, albedo) + PI * shading.truth(&case.glossy::<T>(), pixel)
 }
 
 /// Relative arithmetic error of whole pixels: computed against the exact value of the method's formula at the rounded inputs.
@@ -149,7 +150,7 @@ pub fn model<const N: usize>(
 ) -> Found<9> {
     let mut found = Found::new();
     for pixel in pixels {
-        let whole = diffuse(&pixel, ALBEDO) + PI * rule.highlight(&case.glossy::<f64>(), &pixel);
+        let whole = diffuse(case, &pixel, ALBEDO) + PI * rule.highlight(&case.glossy::<f64>(), &pixel);
         found.add((truth::<f64>(shading, case, &pixel) / whole - 1.0).abs(), inputs(&pixel));
     }
     found

@@ -7,13 +7,11 @@ use core::hint::black_box;
 use core::panic::PanicInfo;
 
 use sunglint::blackbody;
-use sunglint::fixed::types::{I2F30, I16F16, U16F48, U20F12};
 use sunglint::fixed::types::{I2F30, I16F16, U16F16, U16F48, U20F12};
 use sunglint::highlight::{exact_rp_q30, karis_q30};
 use sunglint::radiometry::{Patch, SphereLight, flux, patch_solid_angle, sphere_radiance};
 use sunglint::raw::{self, SUN_Q14, SUN_Q30};
 use sunglint::real::{Scalar, Scaled};
-use sunglint::{DistantSphere, SUN, cap, disc, factored, normalization, normalize, reflect};
 use sunglint::{DistantSphere, Real, SUN, cap, disc, factored, normalization, normalize, reflect};
 use sunglint::{illuminance, lambert, lambert_disc};
 
