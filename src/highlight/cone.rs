@@ -1,9 +1,9 @@
 //! GGX integrated over the disc exactly: the half vectors of a disc fill an elliptic cone.
 
 use super::disc::Width;
-use super::microfacet::{FOUR_OVER_PI, schlick, smith};
-use super::{Gloss, Highlight, positive};
-use crate::real::{Halfway, Real, Scalar};
+use super::microfacet::{FOUR_OVER_PI, schlick, smith, upright};
+use super::{Gloss, Highlight, at_most, positive};
+use crate::real::{Halfway, Real, Scalar, TILT_LIMIT};
 use crate::specular::{cap, reflect};
 use crate::sphere::DistantSphere;
 
@@ -45,6 +45,15 @@ pub struct ShiftedConeGgx<T: Real> {
     shares: [T::Wide; 2],
 }
 
+/// The share of the microfacets, as far as the disc's centre tells.
+struct Shape<S> {
+    /// `pi b^2 D / (4 v.h)`.
+    value: S,
+    /// `(n.h)^2`.
+    cosine_square: S,
+    v_dot_h_square: S,
+}
+
 /// The cone of half vectors and the surface's place in it, in units of the highlight's width.
 struct Cone<S> {
     /// `g`.
@@ -55,14 +64,15 @@ struct Cone<S> {
     tilt: [S; 2],
     /// `A_d` and `A_o` over `b^2`.
     opening: [S; 2],
-    /// `k`, and `1 - k m`.
+    /// `k`.
     smooth: S,
+    /// `1 - k m`, which is `z^2 + alpha^2 m`.
     rest: S,
 }
 
 impl<S: Scalar> Cone<S> {
     #[inline]
-    fn of(width: &Width<S>, halfway: &Halfway<S>) -> Self {
+    fn of(width: &Width<S>, halfway: &Halfway<S>, cosine_square: S) -> Self {
         let Width { alpha, versine, disc, width, .. } = *width;
         let along = S::ONE + S::ONE - versine;
         let across = halfway.v_dot_h_square + halfway.v_dot_h_square - versine;
@@ -73,7 +83,7 @@ impl<S: Scalar> Cone<S> {
             tilt: [halfway.in_plane, halfway.tilt - halfway.in_plane],
             opening: [disc / along, disc / across],
             smooth,
-            rest: S::ONE - smooth * (halfway.tilt * width * width),
+            rest: cosine_square + halfway.tilt * (alpha * width) * (alpha * width),
         }
     }
 
@@ -121,7 +131,8 @@ impl<S: Scalar> Cone<S> {
         let quarter = (lead * (a * pole)).root();
         let size = super::hypotenuse(if linear < zero { zero - linear } else { linear }, quarter + quarter);
         if linear < zero {
-            (size - linear) / (lead + lead)
+            // Farther out than a tilt may be, where nothing of the highlight is left.
+            at_most((size - linear) / (lead + lead), S::constant(TILT_LIMIT))
         } else if size > zero {
             let twice = a * pole;
             (twice + twice) / (size + linear)
@@ -146,8 +157,7 @@ impl<S: Scalar> Cone<S> {
         let [first, second] = [y + self.opening[0], y + self.opening[1]];
         let [near, far] = [along / first, across / second];
         let square = width.width * width.width;
-        let lacking = near * self.opening[0] + far * self.opening[1];
-        let density = S::ONE - self.smooth * (lacking * square);
+        let density = self.rest + self.smooth * ((near + far) * y * square);
         let widen = |tilt: S, sum: S, opening: S| tilt * (y * (y / sum)) * (S::ONE + opening * square);
         let spread = a + self.smooth * (widen(near, first, self.opening[0]) + widen(far, second, self.opening[1]));
         a / spread / density.root() / (self.along * first).root() / (self.across * second).root() / self.along
@@ -158,7 +168,7 @@ impl<S: Scalar> Cone<S> {
     fn mirrored(&self, width: &Width<S>) -> S {
         let [along, across] = self.tilt;
         let inside = self.along * along + self.across * across <= self.rest * width.disc;
-        if inside { S::ONE / (self.along * width.disc * self.rest.root()) } else { S::ZERO }
+        if inside && positive(width.disc) { S::ONE / (self.along * width.disc * self.rest.root()) } else { S::ZERO }
     }
 }
 
@@ -168,11 +178,13 @@ impl<T: Real> ConeGgx<T> {
         Self { width: Width::of(sphere, alpha) }
     }
 
-    /// `pi b^2 D / (4 v.h)` and the half vector.
     #[inline]
-    fn shape(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> (T::Scalar, Halfway<T::Scalar>) {
+    fn shape(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Shape<T::Scalar> {
+        let [n_dot_l, n_dot_v] = [l, v].map(|direction| T::scalar(T::dot(n, direction)));
         let halfway = T::halfway(n, l, v, self.width.inverse);
-        (Cone::of(&self.width, &halfway).shape(&self.width), halfway)
+        let cosine_square = upright(n_dot_l, n_dot_v, halfway.v_dot_h_square);
+        let value = Cone::of(&self.width, &halfway, cosine_square).shape(&self.width);
+        Shape { value, cosine_square, v_dot_h_square: halfway.v_dot_h_square }
     }
 }
 
@@ -184,9 +196,9 @@ impl<T: Real> Highlight<T> for ConeGgx<T> {
         if !positive(visibility) {
             return Gloss::DARK;
         }
-        let (shape, halfway) = self.shape(n, v, l);
-        let v_dot_h = halfway.v_dot_h_square.root();
-        let level = visibility * v_dot_h * shape * T::Scalar::constant(FOUR_OVER_PI);
+        let shape = self.shape(n, v, l);
+        let v_dot_h = shape.v_dot_h_square.root();
+        let level = visibility * v_dot_h * shape.value * T::Scalar::constant(FOUR_OVER_PI);
         Gloss { level, gain: self.width.inverse, fresnel: schlick(v_dot_h) }
     }
 }
@@ -210,16 +222,15 @@ impl<T: Real> Highlight<T> for ShiftedConeGgx<T> {
         let middle = T::diff(near, cap(l, reflect(n, v), &self.sphere), less_far, l);
         let [n_dot_m, n_dot_v] = [cosine(n, middle), cosine(n, v)];
         let visibility = smith(n_dot_m, n_dot_v, self.cone.width.alpha);
-        if !positive(visibility) {
+        // The half vector of the middle: (v.h)^2, and 2 (v.h)^2 / (n.m + n.v), which is (v.h) / (n.h).
+        let v_dot_h_square = (T::Scalar::ONE + cosine(middle, v)) * T::Scalar::constant(super::HALF);
+        if !(positive(visibility) && positive(v_dot_h_square)) {
             return Gloss::DARK;
         }
-        let (shape, halfway) = self.cone.shape(n, v, l);
-        let half = T::Scalar::constant(super::HALF);
-        // The half vector of the middle: (v.h)^2 and 2 (v.h)^2 / (n.m + n.v), which is (v.h) / (n.h).
-        let v_dot_h_square = (T::Scalar::ONE + cosine(middle, v)) * half;
+        let shape = self.cone.shape(n, v, l);
         let slant = (v_dot_h_square + v_dot_h_square) / (n_dot_m + n_dot_v);
-        let upright = T::Scalar::ONE - halfway.tilt * self.cone.width.width * self.cone.width.width;
-        let level = visibility * slant * shape * upright.root() * T::Scalar::constant(FOUR_OVER_PI);
+        let level = shape.value * shape.cosine_square.root() * visibility * slant * T::Scalar::constant(FOUR_OVER_PI);
+        let level = at_most(level, T::Scalar::MAX);
         Gloss { level, gain: self.cone.width.inverse, fresnel: schlick(v_dot_h_square.root()) }
     }
 }

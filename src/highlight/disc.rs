@@ -1,7 +1,7 @@
 //! GGX averaged over the disc, in closed form where the disc is seen as a circle.
 
-use super::microfacet::{schlick, smith};
-use super::{Gloss, HALF, Highlight, INVERSE_PI, hypotenuse, positive};
+use super::microfacet::{schlick, smith, upright};
+use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, hypotenuse, positive};
 use crate::real::{Halfway, Real, Scalar};
 use crate::sphere::DistantSphere;
 
@@ -47,7 +47,14 @@ impl<S: Scalar> Width<S> {
         }
         let (rough, flat) = (alpha / width, half / width);
         let disc = flat * flat;
-        Self { alpha, alpha_square: rough * rough, versine, disc: disc + disc, width, inverse: S::ONE / width }
+        Self {
+            alpha,
+            alpha_square: rough * rough,
+            versine,
+            disc: disc + disc,
+            width,
+            inverse: at_most(S::ONE / width, S::MAX),
+        }
     }
 }
 
@@ -65,11 +72,10 @@ impl<T: Real> DiscGgx<T> {
 
     /// `pi b^2 D`.
     #[inline]
-    fn shape(&self, halfway: &Halfway<T::Scalar>, v_dot_h: T::Scalar) -> T::Scalar {
+    fn shape(&self, halfway: &Halfway<T::Scalar>, v_dot_h: T::Scalar, cosine_square: T::Scalar) -> T::Scalar {
         let zero = T::Scalar::ZERO;
-        let Width { alpha_square: a, disc, width, .. } = self.width;
+        let Width { alpha_square: a, disc, .. } = self.width;
         let m = halfway.tilt;
-        let cosine_square = T::Scalar::ONE - m * width * width;
         let rough = a * cosine_square;
         let half_disc = disc * T::Scalar::constant(HALF);
         let circle = half_disc / v_dot_h;
@@ -88,7 +94,7 @@ impl<T: Real> DiscGgx<T> {
         }
         if p < zero {
             let spread = circle * cosine_square;
-            (size - p) / size / (spread + spread)
+            if positive(spread) { (size - p) / size / (spread + spread) } else { zero }
         } else {
             (a + a) / size / (size + p)
         }
@@ -105,7 +111,7 @@ impl<T: Real> Highlight<T> for DiscGgx<T> {
         }
         let halfway = T::halfway(n, l, v, self.width.inverse);
         let v_dot_h = halfway.v_dot_h_square.root();
-        let shape = self.shape(&halfway, v_dot_h);
+        let shape = self.shape(&halfway, v_dot_h, upright(n_dot_l, n_dot_v, halfway.v_dot_h_square));
         // The mean over the disc is per solid angle, illuminance per projected one: pi x^2 = 2 pi w (1 - w/2).
         let facing = T::Scalar::ONE - self.width.versine * T::Scalar::constant(HALF);
         let level = visibility * shape * T::Scalar::constant(INVERSE_PI) / facing;

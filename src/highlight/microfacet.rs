@@ -7,10 +7,12 @@ use crate::real::{Constant, Scalar};
 /// sqrt(alpha^2 + (1 - alpha^2) c^2)`, times the cosine of the light.
 ///
 /// The product stays below `1 / (2 alpha)`, where the visibility alone would reach `1 / (4 alpha^2)` and more than f16
-/// holds. For `alpha = 0` it is `1 / (4 n.v)`. Zero where either cosine is zero, negative or NaN.
+/// holds. For `alpha = 0` it is `1 / (4 n.v)`. Zero where `n.l` is zero, negative or NaN, and where `n.v` is not above
+/// `2^-14`, which is grazing to a 300th of a degree.
 #[inline]
 pub fn smith<S: Scalar>(n_dot_l: S, n_dot_v: S, alpha: S) -> S {
-    let lit = n_dot_l > S::ZERO && n_dot_v > S::ZERO;
+    const GRAZING: Constant = Constant::new(1.0 / 16384.0);
+    let lit = n_dot_l > S::ZERO && n_dot_v > S::constant(GRAZING);
     if !lit {
         return S::ZERO;
     }
@@ -26,6 +28,13 @@ pub fn schlick<S: Scalar>(v_dot_h: S) -> S {
     let rest = if rest > S::ZERO { rest } else { S::ZERO };
     let square = rest * rest;
     square * square * rest
+}
+
+/// `(n.h)^2 = (n.l + n.v)^2 / (4 (v.h)^2)`, which no subtraction takes below zero; zero where `n.l + n.v` is not above it.
+#[inline]
+pub(super) fn upright<S: Scalar>(n_dot_l: S, n_dot_v: S, v_dot_h_square: S) -> S {
+    let half = (n_dot_l + n_dot_v) * S::constant(HALF);
+    if half > S::ZERO { half / v_dot_h_square * half } else { S::ZERO }
 }
 
 /// `4 / pi`.

@@ -1,7 +1,7 @@
 //! GGX at one point of the disc, with a factor that keeps the energy.
 
-use super::microfacet::{schlick, smith};
-use super::{Gloss, HALF, Highlight, INVERSE_PI, positive};
+use super::microfacet::{schlick, smith, upright};
+use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, positive};
 use crate::real::{Constant, Real, Scalar};
 use crate::specular::{cap, reflect};
 use crate::sphere::DistantSphere;
@@ -60,11 +60,12 @@ impl<T: Real> PointGgx<T> {
 
     fn widened(sphere: &DistantSphere<T>, alpha: T::Scalar, share: T::Scalar) -> Self {
         let width = alpha + T::scalar(sphere.sin()) * share;
-        Self::of_width(sphere, alpha, super::at_most(width, T::Scalar::ONE))
+        Self::of_width(sphere, alpha, at_most(width, T::Scalar::ONE))
     }
 
     fn of_width(sphere: &DistantSphere<T>, alpha: T::Scalar, width: T::Scalar) -> Self {
-        let inverse = |value: T::Scalar| if value > T::Scalar::ZERO { T::Scalar::ONE / value } else { T::Scalar::ZERO };
+        let (zero, one, most) = (T::Scalar::ZERO, T::Scalar::ONE, T::Scalar::MAX);
+        let inverse = |value: T::Scalar| if value > zero { at_most(one / value, most) } else { zero };
         Self { sphere: *sphere, alpha, inverse_alpha: inverse(alpha), gain: inverse(width) }
     }
 }
@@ -81,7 +82,7 @@ impl<T: Real> Highlight<T> for PointGgx<T> {
         }
         let halfway = T::halfway(n, point, v, self.inverse_alpha);
         let shape = if self.alpha > T::Scalar::ZERO {
-            let rest = T::Scalar::ONE - halfway.tilt * self.alpha * self.alpha + halfway.tilt;
+            let rest = upright(n_dot_l, n_dot_v, halfway.v_dot_h_square) + halfway.tilt;
             T::Scalar::ONE / rest / rest
         } else if point == r {
             T::Scalar::ONE
