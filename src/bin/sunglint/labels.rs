@@ -6,7 +6,8 @@
 /// Neighbours of the same name up to this far apart share a label.
 const TOGETHER: f64 = 36.0;
 const LETTER: f64 = 6.7;
-const LINE: f64 = 12.0;
+/// Height of a line of text.
+pub const LINE: f64 = 12.0;
 /// Half the width of the space that a mark keeps for itself.
 const MARK: f64 = 7.0;
 /// A label further off than this from its mark needs a leader.
@@ -88,7 +89,7 @@ pub fn place(marks: &[Mark], bounds: Area, taken: &[Area]) -> Vec<Label> {
     let mut obstacles: Vec<Area> = marks.iter().map(|m| Area::around(m.at, MARK, MARK)).collect();
     obstacles.extend(taken);
     let mut labels = Vec::new();
-    for group in groups(marks) {
+    for group in groups(marks).into_iter().filter(|group| !group[0].name.is_empty()) {
         let named = |mark: &&Mark| mark.name != group[0].name;
         let others: Vec<_> = marks.iter().filter(named).collect();
         if let Some(label) = best(&group, &others, &obstacles, &bounds) {
@@ -163,7 +164,8 @@ fn area(label: &Label) -> Area {
     Area::around(label.at, width(&label.text) / 2.0, LINE / 2.0)
 }
 
-fn width(text: &str) -> f64 {
+/// About how wide `text` is.
+pub fn width(text: &str) -> f64 {
     LETTER * text.chars().count() as f64
 }
 
