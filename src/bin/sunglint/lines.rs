@@ -26,11 +26,12 @@ pub fn plots(field: &Field) -> impl Iterator<Item = Plot> {
     })
 }
 
-/// Where the lines run.
+/// Where the lines run, and the lane of their names.
 pub fn areas(field: &Field, sheet: &Sheet) -> Vec<Area> {
     let frame = &field.frame;
     let ends = |line: &Line| [frame.x.0, frame.x.1].map(|x| sheet.pixels((x, frame.up(line.error))));
-    field.lines.iter().map(ends).map(|[start, end]| Area::spanned(start, end)).collect()
+    let lane = Area { x: (sheet.pixels((frame.x.1, 0.0)).0, sheet.area.x.1), ..sheet.area };
+    field.lines.iter().map(ends).map(|[start, end]| Area::spanned(start, end)).chain([lane]).collect()
 }
 
 /// Names and leaders for the lines that have names.

@@ -10,6 +10,7 @@ mod error_kind;
 mod field;
 mod frame;
 mod frontier;
+mod kernel;
 mod kernel_panel;
 mod kernels;
 mod key;

@@ -40,12 +40,12 @@ pub fn plots(field: &Field, key: &Key, layout: &Layout) -> Vec<Plot> {
 
     let mut plots: Vec<_> = lines::plots(field).chain([Plot::Line(staircase(&stairs))]).collect();
     let sizes = marks::sizes(&pixels);
-    for ((point, place), size) in field.points.iter().zip(places).zip(sizes) {
+    for ((point, place), &size) in field.points.iter().zip(places).zip(&sizes) {
         let marks = marks::of(point, key, place, size);
         plots.extend(marks.into_iter().map(Plot::Scatter));
     }
-    let named = |(point, at): (&Point, (f64, f64))| Mark { at, name: point.label.clone() };
-    let named: Vec<_> = field.points.iter().zip(pixels).map(named).collect();
+    let named = |((point, at), reach): ((&Point, (f64, f64)), f64)| Mark { at, reach, name: point.label.clone() };
+    let named: Vec<_> = field.points.iter().zip(pixels).zip(sizes).map(named).collect();
     let taken = [sheet.steps(&stairs), lines::areas(field, &sheet)].concat();
     plots.extend(lettering::plots(&named, &taken, &sheet));
     plots.extend(lines::names(field, &sheet));

@@ -69,12 +69,12 @@ pub fn bits(value: &str) -> String {
 
 /// A cell of two figures and a power of ten.
 pub fn scientific(value: f64) -> String {
-    number(value, &number::scientific(value))
+    cell(value, &number::scientific(value))
 }
 
 /// A cell of a part in per cent of the whole.
 pub fn percent(part: f64, whole: f64) -> String {
-    number(part / whole, &number::percent(part, whole))
+    cell(part / whole, &number::percent(part, whole))
 }
 
 /// A cell of a whole number.
@@ -83,6 +83,6 @@ pub fn count(value: u64) -> String {
 }
 
 /// A number that is shown as `shown` and sorted by its full value.
-pub fn number(value: f64, shown: &str) -> String {
+pub fn cell(value: f64, shown: &str) -> String {
     format!("<td class=\"figure\" data-value=\"{value:e}\">{shown}</td>")
 }

@@ -1,10 +1,11 @@
 //! The sections of the page about the direction methods.
 
-use super::cells::{self, bits, count, number, percent, scientific, sortable, text};
+use super::cells::{self, bits, cell, count, percent, scientific, sortable, text};
 use crate::chart::{self, under_light};
 use crate::direction_panel;
 use crate::error_kind::ErrorKind;
 use crate::key::in_order;
+use crate::number;
 use crate::result::{Row, Study};
 use crate::table;
 
@@ -101,15 +102,15 @@ fn measurements(rows: &[Row], lights: &[String]) -> String {
 }
 
 fn line(row: &Row) -> String {
-    let quartiles = format!("{} to {}", crate::number::cost(row.cost_low), crate::number::cost(row.cost_high));
+    let quartiles = format!("{} to {}", number::cost(row.cost_low), number::cost(row.cost_high));
     let outcome = row.failure.as_ref().map_or("works".to_owned(), |why| format!("fails: {why}"));
     let frontier = table::frontier(row);
     [
         text(&row.light),
         text(&row.method),
         text(&row.format),
-        number(row.cost, &crate::number::cost(row.cost)),
-        number(row.cost_low, &quartiles),
+        cell(row.cost, &number::cost(row.cost)),
+        cell(row.cost_low, &quartiles),
         scientific(row.error_max),
         percent(row.error_max, row.theta),
         scientific(row.error_rms),
@@ -139,31 +140,31 @@ fn input_errors(rows: &[Row], lights: &[String]) -> String {
     by_light("inputs", "rms error from rounded inputs, rad", rows, lights, |row| (&row.format, row.input_rms))
 }
 
-/// A line for each light and a column for each name that `cell` gives, in the cells the greatest of its figures.
+/// A line for each light and a column for each name that `part` gives, in the cells the greatest of its figures.
 fn by_light(
     id: &str,
     title: &str,
     rows: &[Row],
     lights: &[String],
-    cell: impl Fn(&Row) -> (&String, f64) + Copy,
+    part: impl Fn(&Row) -> (&String, f64) + Copy,
 ) -> String {
-    let names = in_order(rows.iter().map(|row| cell(row).0));
+    let names = in_order(rows.iter().map(|row| part(row).0));
     let mut columns = vec![title];
     columns.extend(names.iter().map(String::as_str));
     let line = |light: &String| {
         let rows = under_light(rows, light);
-        let cells: String = names.iter().map(|name| greatest(&rows, name, cell)).collect();
+        let cells: String = names.iter().map(|name| greatest(&rows, name, part)).collect();
         format!("<tr>{}{cells}</tr>\n", text(light))
     };
     sortable(id, &columns, &lights.iter().map(line).collect::<String>())
 }
 
-fn greatest(rows: &[&Row], name: &str, cell: impl Fn(&Row) -> (&String, f64)) -> String {
+fn greatest(rows: &[&Row], name: &str, part: impl Fn(&Row) -> (&String, f64)) -> String {
     let theta = rows.first().map_or(1.0, |row| row.theta);
-    let figures = rows.iter().map(|row| cell(row)).filter(|(other, _)| *other == name).map(|(_, figure)| figure);
+    let figures = rows.iter().map(|row| part(row)).filter(|(other, _)| *other == name).map(|(_, figure)| figure);
     let worst = figures.fold(f64::NAN, f64::max);
-    let shown = format!("{} ({} %)", crate::number::scientific(worst), crate::number::percent(worst, theta));
-    number(worst, &shown)
+    let shown = format!("{} ({} %)", number::scientific(worst), number::percent(worst, theta));
+    cell(worst, &shown)
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! The section of the page about building blocks.
 
-use super::cells::{self, bits, count, number, scientific, sortable, text};
+use super::cells::{self, bits, cell, count, scientific, sortable, text};
 use crate::chart;
 use crate::kernel_panel;
 use crate::key::{Key, in_order};
 use crate::mean::Mean;
+use crate::number;
 use crate::result::{KernelRow, Study};
 
 const INTRODUCTION: &str = "<p>What a lit pixel is made of, each part by itself: its error against f64 at the inputs as they were \
@@ -29,7 +30,7 @@ const PANEL: (f64, f64) = (430.0, 340.0);
 pub fn all(study: &Study) -> String {
     let rows = &study.kernels;
     let names = in_order(rows.iter().map(|row| &row.kernel));
-    let key = Key::new(rows.iter().map(|row| [&row.unit, &row.format]));
+    let key = Key::new(rows.iter().map(|row| [&row.kernel, &row.format]));
     let group = |mean: Mean| {
         let panels: String = names.iter().map(|name| panel(rows, name, mean, &key)).collect();
         format!("<figure class=\"several\" data-mean=\"{}\">{panels}</figure>\n", mean.name())
@@ -47,13 +48,12 @@ fn panel(rows: &[KernelRow], name: &str, mean: Mean, key: &Key) -> String {
 }
 
 fn line(row: &KernelRow) -> String {
-    let cost = crate::number::cost;
     let cells = [
         text(&row.kernel),
         text(&row.format),
         text(&row.unit),
-        number(row.cost, &cost(row.cost)),
-        number(row.cost_low, &format!("{} to {}", cost(row.cost_low), cost(row.cost_high))),
+        cell(row.cost, &number::cost(row.cost)),
+        cell(row.cost_low, &format!("{} to {}", number::cost(row.cost_low), number::cost(row.cost_high))),
         scientific(row.error_max),
         scientific(row.error_rms),
         count(row.samples),

@@ -1,6 +1,6 @@
 //! The section of the page about whole highlights.
 
-use super::cells::{self, number, scientific, sortable, text};
+use super::cells::{self, cell, scientific, sortable, text};
 use crate::key::in_order;
 use crate::lobe_chart;
 use crate::result::{LobeRow, Study};
@@ -51,8 +51,8 @@ fn line(row: &LobeRow) -> String {
     let choices = cells::data(&[("light", &row.light), ("incidence", &incidence), ("alpha", &alpha)]);
     let cells = [
         text(&row.light),
-        number(row.alpha, &alpha),
-        number(row.incidence.into(), &incidence),
+        cell(row.alpha, &alpha),
+        cell(row.incidence.into(), &incidence),
         text(&row.method),
         ratio(row.energy),
         ratio(row.peak),
@@ -63,5 +63,5 @@ fn line(row: &LobeRow) -> String {
 
 /// A ratio that should be 1, to four decimals.
 fn ratio(value: f64) -> String {
-    number(value, &format!("{value:.4}"))
+    cell(value, &format!("{value:.4}"))
 }

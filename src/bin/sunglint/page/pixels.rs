@@ -1,10 +1,11 @@
 //! The sections of the page about lit pixels.
 
-use super::cells::{self, bits, number, scientific, sortable, text};
+use super::cells::{self, bits, cell, scientific, sortable, text};
 use crate::chart::{self, of_case};
 use crate::error_kind::ErrorKind;
 use crate::key::in_order;
 use crate::mean::Mean;
+use crate::number;
 use crate::pixel_error::PixelError;
 use crate::pixel_panel;
 use crate::result::{PixelRow, Study};
@@ -81,15 +82,14 @@ pub fn all(study: &Study) -> String {
 }
 
 fn line(row: &PixelRow) -> String {
-    let cost = crate::number::cost;
-    let quartiles = format!("{} to {}", cost(row.cost_low), cost(row.cost_high));
+    let quartiles = format!("{} to {}", number::cost(row.cost_low), number::cost(row.cost_high));
     let frontier = if row.frontier { "yes" } else { "no" };
     [
         text(&row.case),
         text(&row.method),
         text(&row.format),
-        number(row.cost, &cost(row.cost)),
-        number(row.cost_low, &quartiles),
+        cell(row.cost, &number::cost(row.cost)),
+        cell(row.cost_low, &quartiles),
         scientific(row.total_rms),
         scientific(row.total_max),
         scientific(row.error_rms),
@@ -108,6 +108,6 @@ fn line(row: &PixelRow) -> String {
 /// How many pixels were tried.
 pub fn tried(study: &Study) -> String {
     let counts = study.pixels.first().map_or([0; 2], |row| [row.samples, row.model_samples]);
-    let [arithmetic, model] = counts.map(crate::number::count);
+    let [arithmetic, model] = counts.map(number::count);
     format!("{arithmetic} random pixels for the arithmetic of each lit pixel and {model} for its model")
 }

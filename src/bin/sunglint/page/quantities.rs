@@ -1,6 +1,6 @@
 //! The section of the page about the quantities of a light.
 
-use super::cells::{count, number, sortable, text};
+use super::cells::{cell, count, sortable, text};
 use crate::result::QuantityRow;
 use crate::table;
 
@@ -13,8 +13,8 @@ pub fn all(rows: &[QuantityRow]) -> String {
             text(&row.quantity),
             text(&row.format),
             text(&row.unit),
-            number(row.error_max, &table::units(row.error_max)),
-            number(row.worst_input, &format!("{:e}", row.worst_input)),
+            cell(row.error_max, &table::units(row.error_max)),
+            cell(row.worst_input, &format!("{:e}", row.worst_input)),
             count(row.samples),
             count(row.refused),
         ];
