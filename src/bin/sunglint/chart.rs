@@ -1,36 +1,39 @@
 //! The charts as SVG text.
 
 use kuva::plot::{LegendEntry, LegendShape};
-use kuva::prelude::{Figure, Layout, MarkerShape, SvgBackend, render_twin_y};
+use kuva::prelude::{Figure, Layout, MarkerShape, SvgBackend, render_multiple, render_twin_y};
 use kuva::render::render::{Primitive, Scene};
 
+use crate::direction_panel;
 use crate::error_kind::ErrorKind;
+use crate::field::Field;
 use crate::key::Key;
-use crate::panel::{self, INK, RADIUS, RADIUS_DASHES, STEP};
-use crate::result::{Row, Study};
+use crate::panel::{self, INK, LINE, LINE_DASHES, STEP};
+use crate::pixel_error::PixelError;
+use crate::pixel_panel;
+use crate::result::{PixelRow, Row, Study};
 
 const LEGEND: f64 = 125.0;
 const PANEL: (f64, f64) = (600.0, 640.0);
 const BESIDE_LEGEND: (f64, f64) = (PANEL.0 + LEGEND, PANEL.1);
-const ALONE: (f64, f64) = (900.0, 620.0);
+/// A panel that has a figure to itself.
+pub const ALONE: (f64, f64) = (900.0, 620.0);
 
 /// chart.svg: both errors of the first light side by side.
 pub fn both_errors(study: &Study) -> String {
-    let key = Key::new(&study.rows);
-    let Some(first) = study.rows.first() else {
-        return svg(Scene::new(PANEL.0, PANEL.1), "No measurements");
-    };
+    let key = direction_key(study);
+    let Some(first) = study.rows.first() else { return nothing() };
     let rows = under_light(&study.rows, &first.light);
-    let left = panel::layout(&rows, ErrorKind::Arithmetic, PANEL);
-    let right = with_legend(panel::layout(&rows, ErrorKind::Total, BESIDE_LEGEND), &key);
-    let name = title(&first.light);
+    let [left, right] = ErrorKind::ALL.map(|kind| direction_panel::field(&rows, kind));
+    let name = direction_title(&first.light);
+    let layouts = [panel::layout(&left, PANEL), with_legend(panel::layout(&right, BESIDE_LEGEND), &right, &key)];
     let scene = Figure::new(1, 2)
         .with_title(name.clone())
         .with_title_size(19)
         .with_padding(16.0)
-        .with_twin_y_plots(0, panel::plots(&rows, ErrorKind::Arithmetic, &key, &left), Vec::new())
-        .with_twin_y_plots(1, panel::plots(&rows, ErrorKind::Total, &key, &right), Vec::new())
-        .with_layouts(vec![left, right])
+        .with_twin_y_plots(0, panel::plots(&left, &key, &layouts[0]), Vec::new())
+        .with_twin_y_plots(1, panel::plots(&right, &key, &layouts[1]), Vec::new())
+        .with_layouts(layouts.into())
         .with_row_height(0, PANEL.1)
         .with_col_width(0, PANEL.0)
         .with_col_width(1, BESIDE_LEGEND.0)
@@ -38,12 +41,36 @@ pub fn both_errors(study: &Study) -> String {
     svg(scene, &name)
 }
 
-/// One error of one light, for the page.
-pub fn one_error(rows: &[&Row], kind: ErrorKind, key: &Key) -> String {
-    let light = rows.first().map_or("", |row| row.light.as_str());
-    let layout = with_legend(panel::layout(rows, kind, ALONE), key);
-    let scene = render_twin_y(panel::plots(rows, kind, key, &layout), Vec::new(), layout);
-    svg(scene, &format!("{}: {} error", title(light), kind.name()))
+/// pixels.svg: the total error of the first case's lit pixels.
+pub fn first_pixels(study: &Study) -> String {
+    let Some(first) = study.pixels.first() else { return nothing() };
+    let error = PixelError::default();
+    let mut field = pixel_panel::field(&of_case(&study.pixels, &first.case), error);
+    field.title = format!("{}: {}", first.case, field.title);
+    one_panel(&field, &pixel_key(study), &pixel_title(&first.case, error))
+}
+
+fn nothing() -> String {
+    svg(Scene::new(PANEL.0, PANEL.1), "No measurements")
+}
+
+/// One panel with its legend, under a name for screen readers.
+pub fn one_panel(field: &Field, key: &Key, name: &str) -> String {
+    let layout = with_legend(panel::layout(field, ALONE), field, key);
+    svg(scene(field, key, layout), name)
+}
+
+/// A panel of the size `size` that explains itself.
+pub fn small_panel(field: &Field, key: &Key, size: (f64, f64), name: &str) -> String {
+    svg(scene(field, key, panel::layout(field, size)), name)
+}
+
+fn scene(field: &Field, key: &Key, layout: Layout) -> Scene {
+    let plots = panel::plots(field, key, &layout);
+    match field.per_cent {
+        Some(_) => render_twin_y(plots, Vec::new(), layout),
+        None => render_multiple(plots, layout),
+    }
 }
 
 /// The rows of one light.
@@ -51,12 +78,33 @@ pub fn under_light<'a>(rows: &'a [Row], light: &str) -> Vec<&'a Row> {
     rows.iter().filter(|row| row.light == light).collect()
 }
 
-fn title(light: &str) -> String {
+/// The rows of one case.
+pub fn of_case<'a>(rows: &'a [PixelRow], case: &str) -> Vec<&'a PixelRow> {
+    rows.iter().filter(|row| row.case == case).collect()
+}
+
+/// Shapes and colours of the directions.
+pub fn direction_key(study: &Study) -> Key {
+    Key::new(study.rows.iter().map(|row| [&row.method, &row.format]))
+}
+
+/// Shapes and colours of the lit pixels.
+pub fn pixel_key(study: &Study) -> Key {
+    Key::new(study.pixels.iter().map(|row| [&row.method, &row.format]))
+}
+
+/// What the charts of a light show.
+pub fn direction_title(light: &str) -> String {
     format!("Specular light direction, {light}: error against cost")
 }
 
+/// What the chart of a case shows.
+pub fn pixel_title(case: &str, error: PixelError) -> String {
+    format!("Lit pixel, {case}: {} of the {} error against cost", error.mean.name(), error.kind.name())
+}
+
 /// The legend to the right of a panel: shapes, colours, and the rest.
-fn with_legend(layout: Layout, key: &Key) -> Layout {
+fn with_legend(layout: Layout, field: &Field, key: &Key) -> Layout {
     let entry = |label: &str, color: &str, shape| LegendEntry {
         label: label.to_owned(),
         color: color.to_owned(),
@@ -65,14 +113,15 @@ fn with_legend(layout: Layout, key: &Key) -> Layout {
     };
     let method = |name: &String| entry(name, INK, LegendShape::Marker(key.shape(name)));
     let format = |name: &String| entry(name, key.colour(name), LegendShape::Marker(MarkerShape::Hexagon));
-    let rest = vec![
+    let mut rest = vec![
         entry("frontier", STEP, LegendShape::Line),
         entry("hollow: fails", INK, LegendShape::Marker(MarkerShape::Cross)),
-        LegendEntry {
-            dasharray: Some(RADIUS_DASHES.to_owned()),
-            ..entry("100 % of radius", RADIUS, LegendShape::Line)
-        },
     ];
+    if !field.lines.is_empty() {
+        let name = if field.per_cent.is_some() { "100 % of radius" } else { "model error" };
+        let line = entry(name, LINE, LegendShape::Line);
+        rest.push(LegendEntry { dasharray: Some(LINE_DASHES.to_owned()), ..line });
+    }
     layout
         .with_legend_group("Shape: method", key.methods.iter().map(method).collect())
         .with_legend_group("Colour: format", key.formats.iter().map(format).collect())
@@ -81,7 +130,7 @@ fn with_legend(layout: Layout, key: &Key) -> Layout {
 }
 
 /// Text of `scene` with a name for screen readers, able to grow and shrink.
-fn svg(mut scene: Scene, name: &str) -> String {
+pub fn svg(mut scene: Scene, name: &str) -> String {
     unclip(&mut scene);
     let (width, height) = (scene.width.ceil(), scene.height.ceil());
     let opening =

@@ -1,14 +1,13 @@
-//! What a call costs on the pixels of a ball: its time over the time of f32 `factored` in the same round, contenders
-//! interleaved. The time of an empty call, which loads the same directions and stores one of them, is taken off both.
+//! What a call costs: its time over the time of f32 `factored` in the same round, contenders interleaved. The time of an
+//! empty call, which loads the same inputs and stores one of them, is taken off both.
+//!
+//! Directions, whole pixels and building blocks are all in that one unit, so that their costs can be added up and
+//! their charts laid side by side.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
-use sunglint::trial::{Constants, Format, Light, Method, Visitor, input};
-use sunglint::{Real, cap, disc, epic, factored};
-
-use crate::options::Options;
 
 /// Median and quartiles of a contender's ratio to the baseline over the rounds.
 #[derive(Clone, Copy, Debug)]
@@ -21,28 +20,40 @@ pub struct Cost {
     pub upper_quartile: f64,
 }
 
-/// Calls every contender's answer to all pairs once.
-type Batch = Box<dyn Fn()>;
-
-/// Pixels across the ball whose pixels make a batch.
-const SIDE: u32 = 64;
-
-/// How often every contender has its turn.
-pub const fn rounds(quick: bool) -> usize {
-    if quick { 17 } else { 81 }
+impl Cost {
+    /// Median, lower and upper quartile.
+    pub fn figures(self) -> (f64, f64, f64) {
+        (self.median, self.lower_quartile, self.upper_quartile)
+    }
 }
 
-/// The costs of all methods in all formats, method by method.
-pub fn costs(light: &Light, options: &Options, progress: &ProgressBar) -> Vec<Cost> {
-    let build = |method, format: Format| format.visit(Build { method, light });
-    let contenders: Vec<Contender> = Method::ALL
-        .into_iter()
-        .flat_map(|method| Format::ALL.map(|format| (Some(method), format)))
-        .map(|(method, format)| Contender { call: build(method, format), empty: build(None, format) })
-        .collect();
-    let baseline = Contender { call: build(Some(Method::Factored), Format::F32), empty: build(None, Format::F32) };
+/// Calls every contender's answer to all inputs once.
+pub type Batch = Box<dyn Fn()>;
+
+/// A function in a format, and the empty call in that format.
+pub struct Contender {
+    /// Calls the function on every input.
+    pub call: Batch,
+    /// Loads every input and stores a part of it.
+    pub empty: Batch,
+    /// On how many inputs.
+    pub inputs: usize,
+}
+
+/// A call of `function` on each of `inputs`.
+pub fn batch<I: 'static, O>(inputs: Vec<I>, function: impl Fn(&I) -> O + 'static) -> Batch {
+    Box::new(move || {
+        for input in &inputs {
+            // The reference, since a copy that has just been stored is slow to load.
+            black_box(function(black_box(input)));
+        }
+    })
+}
+
+/// The costs of all `contenders` as multiples of the `baseline`, over `rounds` rounds, each a step of `progress`.
+pub fn costs(contenders: &[Contender], baseline: &Contender, rounds: usize, progress: &ProgressBar) -> Vec<Cost> {
     let mut ratios = vec![Vec::new(); contenders.len()];
-    for _ in 0..rounds(options.quick) {
+    for _ in 0..rounds {
         for (contender, ratios) in contenders.iter().zip(&mut ratios) {
             // The baseline before and after, so that a clock that drifts is divided out.
             let before = baseline.seconds();
@@ -55,18 +66,12 @@ pub fn costs(light: &Light, options: &Options, progress: &ProgressBar) -> Vec<Co
     ratios.into_iter().map(cost).collect()
 }
 
-/// A method in a format, and the empty call in that format.
-struct Contender {
-    call: Batch,
-    empty: Batch,
-}
-
 impl Contender {
-    /// What the calls take beyond empty ones; never quite nothing, since ratios are drawn on a logarithmic axis.
+    /// What a call takes beyond an empty one; never quite nothing, since ratios are drawn on a logarithmic axis.
     fn seconds(&self) -> f64 {
         let call = time(&self.call).as_secs_f64();
         let empty = time(&self.empty).as_secs_f64();
-        (call - empty).max(call / 1000.0)
+        (call - empty).max(call / 1000.0) / self.inputs as f64
     }
 }
 
@@ -82,48 +87,25 @@ fn cost(mut ratios: Vec<f64>) -> Cost {
     Cost { median: at(2), lower_quartile: at(1), upper_quartile: at(3) }
 }
 
-/// A batch of calls of a method, or of empty ones.
-struct Build<'a> {
-    method: Option<Method>,
-    light: &'a Light,
-}
-
-impl Visitor for Build<'_> {
-    type Output = Batch;
-
-    fn visit<T: Real>(self) -> Batch {
-        let Constants { sphere, unfactored } = Constants::<T>::of(&self.light.light);
-        let pairs = input::ball(SIDE);
-        let pairs: Vec<_> = pairs.map(|pair| (pair.l.map(T::from_f64), pair.r.map(T::from_f64))).collect();
-        // One closure a method, so that the compiler sees which one it is.
-        match self.method {
-            Some(Method::Epic) => batch(pairs, move |l, r| epic(l, r, &unfactored)),
-            Some(Method::Factored) => batch(pairs, move |l, r| factored(l, r, &sphere)),
-            Some(Method::Disc) => batch(pairs, move |l, r| disc(l, r, &sphere)),
-            Some(Method::Cap) => batch(pairs, move |l, r| cap(l, r, &sphere)),
-            None => batch(pairs, |l, _| l),
-        }
-    }
-}
-
-/// A pair of directions in a format.
-type Directions<T> = ([T; 3], [T; 3]);
-
-fn batch<T: Real>(pairs: Vec<Directions<T>>, method: impl Fn([T; 3], [T; 3]) -> [T; 3] + 'static) -> Batch {
-    Box::new(move || {
-        for &(l, r) in &pairs {
-            black_box(method(black_box(l), black_box(r)));
-        }
-    })
-}
-
 #[cfg(test)]
 mod tests {
-    use super::cost;
+    use super::*;
 
     #[test]
     fn quartiles_are_those_of_the_sorted_ratios() {
         let cost = cost(vec![5.0, 1.0, 4.0, 2.0, 3.0]);
         assert_eq!([cost.lower_quartile, cost.median, cost.upper_quartile], [2.0, 3.0, 4.0]);
+    }
+
+    #[test]
+    fn a_round_is_a_ratio_for_each_contender() {
+        let contender = || Contender {
+            call: batch(vec![1.0; 50], |x: &f64| x.sqrt()),
+            empty: batch(vec![1.0; 50], |x| *x),
+            inputs: 50,
+        };
+        let costs = costs(&[contender(), contender()], &contender(), 3, &ProgressBar::hidden());
+        assert_eq!(costs.len(), 2);
+        assert!(costs.iter().all(|cost| cost.median > 0.0 && cost.lower_quartile <= cost.upper_quartile));
     }
 }

@@ -1,5 +1,6 @@
 //! The two errors that the study keeps apart.
 
+use crate::frontier::Standing;
 use crate::result::Row;
 
 /// Which error a chart, a frontier or a column is about.
@@ -45,5 +46,10 @@ impl ErrorKind {
             Self::Arithmetic => row.frontier,
             Self::Total => row.total_frontier,
         }
+    }
+
+    /// How `row` stands by this error.
+    pub fn standing(self, row: &Row) -> Standing {
+        Standing { cost: row.cost, error: self.worst(row), works: row.failure.is_none() }
     }
 }

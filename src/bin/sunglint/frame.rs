@@ -1,12 +1,12 @@
-//! Where a row stands in a chart: the axes of one light.
+//! Where a point stands in a panel: the ranges of its axes.
 
-use crate::error_kind::ErrorKind;
-use crate::result::Row;
-
-/// Height of the strip above the errors, in decades, that holds the rows without a number.
+/// Height of the strip above the errors, in decades, that holds the points without a number.
 const STRIP: f64 = 1.6;
 
-/// Ranges of a chart's axes. The axes are linear in the logarithms, since the log axes of kuva end at
+/// Width of the lane for the names of lines, in widths of what lies left of it.
+const LANE: f64 = 0.22;
+
+/// Ranges of a panel's axes. The axes are linear in the logarithms, since the log axes of kuva end at
 /// 1e-10 and the errors of f64 lie far below.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
@@ -14,23 +14,25 @@ pub struct Frame {
     pub x: (f64, f64),
     /// Decimal logarithm of the lowest and the highest error shown, below the strip.
     pub y: (f64, f64),
-    /// Decimal logarithm of the light's angular radius.
-    pub radius: f64,
+    /// Right edge of the panel, beyond the lane for the names of lines if there is one.
+    pub right: f64,
+    /// Upper edge of the panel, above the strip if there is one.
+    pub top: f64,
 }
 
 impl Frame {
-    /// Axes that hold every row and both kinds of error, so that the panels can be compared.
-    pub fn new(rows: &[&Row]) -> Self {
-        let costs = rows.iter().map(|row| row.cost.log2());
-        let errors = rows.iter().flat_map(|row| ErrorKind::ALL.map(|kind| kind.worst(row)));
-        let theta = rows.first().map_or(1.0, |row| row.theta);
-        let x = span(costs);
-        let y = span(errors.chain([theta]).map(f64::log10));
-        Self {
-            x: ((x.0 - 0.3).floor(), (x.1 + 0.3).ceil()),
-            y: ((y.0 - 0.5).floor(), (y.1 + 0.3).ceil()),
-            radius: theta.log10(),
-        }
+    /// Axes that hold all costs and errors; a strip above them if some errors are no numbers.
+    pub fn new(costs: impl Iterator<Item = f64>, errors: impl Iterator<Item = f64> + Clone) -> Self {
+        let x = span(costs.map(f64::log2));
+        let y = span(errors.clone().map(f64::log10));
+        let (x, y) = (((x.0 - 0.3).floor(), (x.1 + 0.3).ceil()), ((y.0 - 0.5).floor(), (y.1 + 0.3).ceil()));
+        let all_numbers = errors.into_iter().all(f64::is_finite);
+        Self { x, y, right: x.1, top: if all_numbers { y.1 } else { y.1 + STRIP } }
+    }
+
+    /// The same with a lane on the right for the names of lines.
+    pub fn with_lane(self) -> Self {
+        Self { right: self.x.1 + LANE * (self.x.1 - self.x.0), ..self }
     }
 
     /// Place of `cost` along the chart.
@@ -40,12 +42,7 @@ impl Frame {
 
     /// Place of `error` up the chart. Zero lies on the lower edge, whatever is no number in the strip.
     pub fn up(&self, error: f64) -> f64 {
-        if error.is_finite() { error.log10().max(self.y.0) } else { self.y.1 + STRIP / 2.0 }
-    }
-
-    /// Upper edge of the chart, strip included.
-    pub fn top(&self) -> f64 {
-        self.y.1 + STRIP
+        if error.is_finite() { error.log10().max(self.y.0) } else { (self.y.1 + self.top) / 2.0 }
     }
 }
 
@@ -60,23 +57,30 @@ fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample;
 
     #[test]
     fn every_error_finds_a_place_inside() {
-        let rows = [f64::NAN, f64::INFINITY, 0.0, 3e-16, 1.0];
-        let rows = rows.map(|error| sample::row("cap", "f32", 1.0, error));
-        let frame = Frame::new(&rows.iter().collect::<Vec<_>>());
-        for row in &rows {
-            let place = frame.up(row.error_max);
-            assert!((frame.y.0..frame.top()).contains(&place), "{place} {frame:?}");
+        let errors = [f64::NAN, f64::INFINITY, 0.0, 3e-16, 1.0];
+        let frame = Frame::new([1.0].into_iter(), errors.into_iter());
+        for error in errors {
+            let place = frame.up(error);
+            assert!((frame.y.0..frame.top).contains(&place), "{place} {frame:?}");
         }
         assert!(frame.up(f64::NAN) > frame.up(1.0));
     }
 
     #[test]
+    fn there_is_a_strip_only_for_what_is_no_number() {
+        let frame = |errors: [f64; 2]| Frame::new([1.0, 2.0].into_iter(), errors.into_iter());
+        assert!(frame([1e-3, f64::NAN]).top > frame([1e-3, 1e-4]).top);
+        let frame = frame([1e-3, 1e-4]);
+        assert_eq!((frame.top, frame.right), (frame.y.1, frame.x.1));
+        assert!(frame.with_lane().right > frame.x.1);
+    }
+
+    #[test]
     fn no_rows_still_make_a_frame() {
-        let frame = Frame::new(&[]);
+        let frame = Frame::new([].into_iter(), [].into_iter());
         assert!(frame.x.0 < frame.x.1 && frame.y.0 < frame.y.1);
     }
 }

@@ -1,36 +1,55 @@
 //! The Pareto frontier of error against cost: the rows that no other row beats on both.
 
 use crate::error_kind::ErrorKind;
+use crate::pixel_error::PixelError;
 use crate::result::{Row, Study};
 
-/// Marks the rows of `study` that are on their light's frontier, for both kinds of error.
+/// What it takes to stand on a frontier.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing {
+    /// Time of a call.
+    pub cost: f64,
+    /// How wrong the answer is.
+    pub error: f64,
+    /// Whether it answers at all.
+    pub works: bool,
+}
+
+impl Standing {
+    /// Whether it works and its error and cost are numbers.
+    fn is_candidate(&self) -> bool {
+        self.works && self.cost.is_finite() && self.error.is_finite()
+    }
+
+    /// Whether it is at most as costly and at most as wrong as `other`, and one of the two strictly.
+    fn beats(&self, other: &Self) -> bool {
+        let at_most = self.cost <= other.cost && self.error <= other.error;
+        self.is_candidate() && at_most && (self.cost < other.cost || self.error < other.error)
+    }
+}
+
+/// Marks the rows of `study` that are on their light's or their case's frontier.
 pub fn mark(study: &mut Study) {
-    let arithmetic = members(&study.rows, ErrorKind::Arithmetic);
-    let total = members(&study.rows, ErrorKind::Total);
+    let light = |row: &Row| row.light.clone();
+    let [arithmetic, total] = ErrorKind::ALL.map(|kind| members(&study.rows, light, |row| kind.standing(row)));
     for (row, (arithmetic, total)) in study.rows.iter_mut().zip(arithmetic.into_iter().zip(total)) {
         row.frontier = arithmetic;
         row.total_frontier = total;
     }
+    let pixels = members(&study.pixels, |row| row.case.clone(), |row| PixelError::default().standing(row));
+    for (row, on_frontier) in study.pixels.iter_mut().zip(pixels) {
+        row.frontier = on_frontier;
+    }
 }
 
-/// For each row, whether it is on the frontier.
-fn members(rows: &[Row], kind: ErrorKind) -> Vec<bool> {
-    let on_frontier = |row: &Row| {
-        let mut rivals = rows.iter().filter(|rival| rival.light == row.light);
-        is_candidate(row, kind) && !rivals.any(|rival| beats(rival, row, kind))
+/// For each of `rows`, whether no other of its group beats it.
+pub fn members<R>(rows: &[R], group: impl Fn(&R) -> String, standing: impl Fn(&R) -> Standing) -> Vec<bool> {
+    let standings: Vec<_> = rows.iter().map(|row| (group(row), standing(row))).collect();
+    let on_frontier = |(group, own): &(String, Standing)| {
+        let mut rivals = standings.iter().filter(|(other, _)| other == group);
+        own.is_candidate() && !rivals.any(|(_, rival)| rival.beats(own))
     };
-    rows.iter().map(on_frontier).collect()
-}
-
-/// Whether `row` works and its error and cost are numbers.
-fn is_candidate(row: &Row, kind: ErrorKind) -> bool {
-    row.failure.is_none() && row.cost.is_finite() && kind.worst(row).is_finite()
-}
-
-/// Whether `rival` is at most as costly and at most as wrong as `row`, and one of the two strictly.
-fn beats(rival: &Row, row: &Row, kind: ErrorKind) -> bool {
-    let (wrong, limit) = (kind.worst(rival), kind.worst(row));
-    is_candidate(rival, kind) && (rival.cost <= row.cost && wrong <= limit) && (rival.cost < row.cost || wrong < limit)
+    standings.iter().map(on_frontier).collect()
 }
 
 #[cfg(test)]

@@ -2,19 +2,19 @@
 
 use kuva::plot::MarkerShape;
 
-use crate::result::Row;
+/// Colours of Okabe and Ito, but brown in place of their yellow, which is too pale on white. Two kinds of red-green
+/// blindness and blue-yellow blindness can tell the first seven apart.
+const COLOURS: [&str; 8] = ["#000000", "#0072b2", "#56b4e9", "#d55e00", "#e69f00", "#009e73", "#cc79a7", "#7f5a3a"];
 
-/// Colours of Okabe and Ito without their yellow, which is too pale on white. Two kinds of red-green
-/// blindness and blue-yellow blindness can tell them apart.
-const COLOURS: [&str; 7] = ["#000000", "#0072b2", "#56b4e9", "#d55e00", "#e69f00", "#009e73", "#cc79a7"];
-
-const SHAPES: [MarkerShape; 6] = [
+const SHAPES: [MarkerShape; 8] = [
     MarkerShape::Triangle,
     MarkerShape::Square,
     MarkerShape::Diamond,
     MarkerShape::Circle,
     MarkerShape::Pentagon,
     MarkerShape::TriangleDown,
+    MarkerShape::Star,
+    MarkerShape::Plus,
 ];
 
 /// Methods and formats in the order in which the study names them.
@@ -27,11 +27,11 @@ pub struct Key {
 }
 
 impl Key {
-    /// Key to all of `rows`.
-    pub fn new(rows: &[Row]) -> Self {
+    /// Key to all `names`, each of a method and of a format.
+    pub fn new<'a>(names: impl Iterator<Item = [&'a String; 2]> + Clone) -> Self {
         Self {
-            methods: in_order(rows.iter().map(|row| &row.method)),
-            formats: in_order(rows.iter().map(|row| &row.format)),
+            methods: in_order(names.clone().map(|[method, _]| method)),
+            formats: in_order(names.map(|[_, format]| format)),
         }
     }
 
@@ -42,8 +42,13 @@ impl Key {
 
     /// Colour of the marks of `format`.
     pub fn colour(&self, format: &str) -> &'static str {
-        COLOURS[place(&self.formats, format) % COLOURS.len()]
+        colour(place(&self.formats, format))
     }
+}
+
+/// The colour of the name at `place` in a list.
+pub fn colour(place: usize) -> &'static str {
+    COLOURS[place % COLOURS.len()]
 }
 
 /// Each of `names` once, in the order of their first appearance.

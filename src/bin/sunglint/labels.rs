@@ -6,9 +6,10 @@
 /// Neighbours of the same name up to this far apart share a label.
 const TOGETHER: f64 = 36.0;
 const LETTER: f64 = 6.7;
-const LINE: f64 = 12.0;
-/// Half the width of the space that a mark keeps for itself.
-const MARK: f64 = 7.0;
+/// Height of a line of text.
+pub const LINE: f64 = 12.0;
+/// How far a mark keeps labels off, in pixels.
+const MARGIN: f64 = 1.0;
 /// A label further off than this from its mark needs a leader.
 const NEAR: f64 = 20.0;
 /// Weight of a pixel of overlap against a pixel of distance.
@@ -23,8 +24,17 @@ const DOUBTFUL: f64 = 0.12;
 pub struct Mark {
     /// Centre of the mark.
     pub at: (f64, f64),
+    /// Half its width.
+    pub reach: f64,
     /// What the label says.
     pub name: String,
+}
+
+impl Mark {
+    /// The space that it keeps for itself.
+    fn area(&self) -> Area {
+        Area::around(self.at, self.reach + MARGIN, self.reach + MARGIN)
+    }
 }
 
 /// A label with its place.
@@ -85,10 +95,10 @@ impl Area {
 
 /// Places a label for each group of `marks`, inside `bounds` and off `taken`.
 pub fn place(marks: &[Mark], bounds: Area, taken: &[Area]) -> Vec<Label> {
-    let mut obstacles: Vec<Area> = marks.iter().map(|m| Area::around(m.at, MARK, MARK)).collect();
+    let mut obstacles: Vec<Area> = marks.iter().map(Mark::area).collect();
     obstacles.extend(taken);
     let mut labels = Vec::new();
-    for group in groups(marks) {
+    for group in groups(marks).into_iter().filter(|group| !group[0].name.is_empty()) {
         let named = |mark: &&Mark| mark.name != group[0].name;
         let others: Vec<_> = marks.iter().filter(named).collect();
         if let Some(label) = best(&group, &others, &obstacles, &bounds) {
@@ -149,10 +159,10 @@ fn candidates(mark: &Mark) -> impl Iterator<Item = (Label, f64)> {
         (1.0, 1.0),
         (-1.0, 1.0),
     ];
-    let (mark, half) = (mark.clone(), width(&mark.name) / 2.0);
+    let (mark, half, reach) = (mark.clone(), width(&mark.name) / 2.0, mark.reach + MARGIN);
     let at = move |(x, y): (f64, f64), gap: f64| Label {
         text: mark.name.clone(),
-        at: (mark.at.0 + x * (half + MARK + gap), mark.at.1 + y * (LINE / 2.0 + MARK + gap)),
+        at: (mark.at.0 + x * (half + reach + gap), mark.at.1 + y * (LINE / 2.0 + reach + gap)),
         mark: mark.at,
     };
     let gaps = [1.0, 8.0, 16.0, 26.0, 38.0, 52.0, 70.0];
@@ -163,7 +173,8 @@ fn area(label: &Label) -> Area {
     Area::around(label.at, width(&label.text) / 2.0, LINE / 2.0)
 }
 
-fn width(text: &str) -> f64 {
+/// About how wide `text` is.
+pub fn width(text: &str) -> f64 {
     LETTER * text.chars().count() as f64
 }
 
@@ -175,7 +186,7 @@ mod tests {
     const CORNER: Area = Area { x: (590.0, 600.0), y: (0.0, 10.0) };
 
     fn mark(x: f64, y: f64, name: &str) -> Mark {
-        Mark { at: (x, y), name: name.to_owned() }
+        Mark { at: (x, y), reach: 6.0, name: name.to_owned() }
     }
 
     #[test]
@@ -191,9 +202,16 @@ mod tests {
         let areas: Vec<_> = place(&marks, BOUNDS, &[CORNER]).iter().map(area).collect();
         for (i, one) in areas.iter().enumerate() {
             assert!(areas[..i].iter().all(|other| one.overlap(other) == 0.0));
-            let on_mark = |m: &Mark| one.overlap(&Area::around(m.at, MARK, MARK)) > 0.0;
+            let on_mark = |m: &Mark| one.overlap(&m.area()) > 0.0;
             assert!(!marks.iter().any(on_mark));
         }
+    }
+
+    #[test]
+    fn a_wide_mark_is_not_covered() {
+        let wide = Mark { reach: 15.0, ..mark(300.0, 300.0, "f32") };
+        let labels = place(std::slice::from_ref(&wide), BOUNDS, &[CORNER]);
+        assert_eq!(area(&labels[0]).overlap(&wide.area()), 0.0);
     }
 
     #[test]

@@ -7,7 +7,8 @@ use crate::sheet::Sheet;
 
 /// How far kuva writes a text above its point, less half the height of a letter, in pixels.
 const RISE: f64 = 6.0;
-const LEADER: &str = "#9a9a9a";
+/// Colour of what leads from a mark to its label.
+pub const LEADER: &str = "#9a9a9a";
 
 /// Texts and leaders for `marks`, off the areas that are `taken`.
 pub fn plots(marks: &[Mark], taken: &[Area], sheet: &Sheet) -> Vec<Plot> {
@@ -19,7 +20,7 @@ pub fn plots(marks: &[Mark], taken: &[Area], sheet: &Sheet) -> Vec<Plot> {
 }
 
 /// Unpainted marks whose labels kuva writes.
-fn texts(labels: &[Label], sheet: &Sheet) -> ScatterPlot {
+pub fn texts(labels: &[Label], sheet: &Sheet) -> ScatterPlot {
     let point = |label: &Label| sheet.data((label.at.0, label.at.1 + RISE));
     ScatterPlot::new()
         .with_data(labels.iter().map(point))

@@ -4,26 +4,39 @@
 
 mod chart;
 mod clock;
+mod direction_panel;
+mod directions;
 mod error_kind;
+mod field;
 mod frame;
 mod frontier;
+mod kernel;
+mod kernel_panel;
+mod kernels;
 mod key;
 mod labels;
 mod lettering;
+mod lines;
+mod lobe_chart;
+mod lobes;
 mod marks;
+mod mean;
 mod measure;
 mod number;
 mod options;
 mod output;
 mod page;
-mod page_table;
 mod panel;
+mod pixel_error;
+mod pixel_panel;
+mod pixels;
 mod quantities;
 mod result;
 #[cfg(test)]
 mod sample;
 mod sheet;
 mod table;
+mod workers;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -52,7 +65,7 @@ fn refuse_unknown_light(options: &Options) {
     let names = measure::light_names();
     if !names.iter().any(|name| options.wants(name)) {
         let asked = options.light.as_deref().unwrap_or_default();
-        let message = format!("no light is named '{asked}'; there are: {}", names.join(", "));
+        let message = format!("no light is named '{asked}'; there are: {}", names.join("; "));
         Options::command().error(ErrorKind::InvalidValue, message).exit();
     }
 }

@@ -12,6 +12,11 @@ pub fn scientific(value: f64) -> String {
     }
 }
 
+/// `value` to two significant digits.
+pub fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
 /// `part` of `whole` in per cent, in plain digits as far as they stay short.
 pub fn percent(part: f64, whole: f64) -> String {
     let value = part / whole * 100.0;
@@ -28,6 +33,11 @@ pub fn percent(part: f64, whole: f64) -> String {
 /// Cost over that of f32 `factored`, to two decimals.
 pub fn cost(value: f64) -> String {
     format!("{value:.2}")
+}
+
+/// Median and quartiles of a cost.
+pub fn quartiles([median, low, high]: [f64; 3]) -> String {
+    format!("{} ({} to {})", cost(median), cost(low), cost(high))
 }
 
 /// A whole number with its thousands apart.
@@ -71,6 +81,12 @@ mod tests {
         let written = values.map(scientific);
         let expected = ["3.9e-4", "NaN", "infinite", "0", "0.99", "1.1", "2.1e4"];
         assert_eq!(written, expected);
+    }
+
+    #[test]
+    fn two_digits_are_left() {
+        assert_eq!([1.26e-5, 0.0, 994.0, f64::INFINITY].map(two_digits), [1.3e-5, 0.0, 990.0, f64::INFINITY]);
+        assert!(two_digits(f64::NAN).is_nan());
     }
 
     #[test]

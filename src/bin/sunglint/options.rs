@@ -8,7 +8,8 @@ use clap::Parser;
 pub const DEFAULT_SEED: u64 = 1;
 
 /// Measures the error and the cost of every method in every number format, prints the result and
-/// writes results.csv, results.json, chart.svg and report.html.
+/// writes results.csv, pixels.csv, lobes.csv, kernels.csv, results.json, chart.svg, pixels.svg and
+/// report.html.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "sunglint", version)]
 pub struct Options {
@@ -16,7 +17,7 @@ pub struct Options {
     #[arg(long, value_name = "DIR", default_value = "target/sunglint")]
     pub out: PathBuf,
 
-    /// Try fewer directions: two seconds in place of some fifteen, less of the worst cases
+    /// Try fewer directions and pixels, with coarser integrals: four seconds in place of some thirty, less of the worst cases
     #[arg(long)]
     pub quick: bool,
 
@@ -24,7 +25,8 @@ pub struct Options {
     #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
     pub seed: u64,
 
-    /// Measure only lights whose name holds NAME, such as `mars`
+    /// Measure only directions, lit pixels and highlights whose light's name holds NAME, such as `mars`
+    /// or `lamp`; building blocks and light quantities have no light
     #[arg(long, value_name = "NAME")]
     pub light: Option<String>,
 

@@ -1,4 +1,4 @@
-//! The files of a run: results.csv, results.json, chart.svg and report.html.
+//! The files of a run: tables, everything as JSON, charts and the report.
 
 use std::error::Error;
 use std::fmt;
@@ -6,6 +6,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
 use tempfile::{Builder, NamedTempFile};
 
 use crate::result::Study;
@@ -36,14 +37,16 @@ pub fn prepare(out: &Path) -> Result<(), WriteError> {
 
 /// Writes every file of `study` into the folder `out`, and gives the path of the report.
 pub fn write(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
-    let csv_path = out.join("results.csv");
     let json_path = out.join("results.json");
-    let report = out.join("report.html");
-    let csv = csv(study).map_err(|cause| failure(&csv_path, cause))?;
     let json = serde_json::to_vec_pretty(study).map_err(|cause| failure(&json_path, cause))?;
-    replace(&csv_path, &csv)?;
+    table(&out.join("results.csv"), &study.rows)?;
+    table(&out.join("pixels.csv"), &study.pixels)?;
+    table(&out.join("lobes.csv"), &study.lobes)?;
+    table(&out.join("kernels.csv"), &study.kernels)?;
     replace(&json_path, &json)?;
     replace(&out.join("chart.svg"), chart::both_errors(study).as_bytes())?;
+    replace(&out.join("pixels.svg"), chart::first_pixels(study).as_bytes())?;
+    let report = out.join("report.html");
     replace(&report, page::report(study).as_bytes())?;
     Ok(report)
 }
@@ -52,10 +55,16 @@ fn failure(path: &Path, cause: impl Into<Box<dyn Error + Send + Sync>>) -> Write
     WriteError { path: path.to_owned(), cause: cause.into() }
 }
 
+/// Writes `rows` as CSV.
+fn table<R: Serialize>(path: &Path, rows: &[R]) -> Result<(), WriteError> {
+    let text = csv(rows).map_err(|cause| failure(path, cause))?;
+    replace(path, &text)
+}
+
 /// One line for each row, under a line of names.
-fn csv(study: &Study) -> Result<Vec<u8>, Box<dyn Error + Send + Sync>> {
+fn csv<R: Serialize>(rows: &[R]) -> Result<Vec<u8>, Box<dyn Error + Send + Sync>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in &study.rows {
+    for row in rows {
         writer.serialize(row)?;
     }
     Ok(writer.into_inner().map_err(|error| error.into_error())?)
@@ -99,8 +108,7 @@ mod tests {
             sample::row("disc", "I2F14", 0.8, f64::INFINITY),
             sample::row("cap", "I16F16", 1.2, 0.0),
         ];
-        let mut study = sample::study(rows);
-        study.quantities.push(sample::quantity());
+        let mut study = sample::whole_study(rows);
         frontier::mark(&mut study);
         study
     }
@@ -111,10 +119,25 @@ mod tests {
         fs::read_to_string(folder.path().join(name)).expect("a file")
     }
 
+    const FILES: [&str; 8] = [
+        "results.csv",
+        "pixels.csv",
+        "lobes.csv",
+        "kernels.csv",
+        "results.json",
+        "chart.svg",
+        "pixels.svg",
+        "report.html",
+    ];
+
     #[test]
-    fn the_csv_has_a_line_for_each_row_and_keeps_nan() {
+    fn a_csv_has_a_line_for_each_row_and_keeps_nan() {
+        let study = study();
+        let counts = [study.rows.len(), study.pixels.len(), study.lobes.len(), study.kernels.len()];
+        for (name, count) in FILES.into_iter().zip(counts) {
+            assert_eq!(written(name).lines().count(), 1 + count, "{name}");
+        }
         let text = written("results.csv");
-        assert_eq!(text.lines().count(), 1 + study().rows.len());
         assert!(text.lines().nth(1).is_some_and(|line| line.contains(",NaN,")));
     }
 
@@ -124,6 +147,9 @@ mod tests {
         assert_eq!(value["rows"].as_array().map(Vec::len), Some(4));
         assert_eq!(value["quantities"][0]["unit"], "ULP");
         assert!(value["rows"][0]["error_max"].is_null());
+        assert_eq!(value["pixels"][0]["method"], "karis");
+        assert_eq!(value["lobes"].as_array().map(Vec::len), Some(6));
+        assert_eq!(value["kernels"][0]["kernel"], "normalize");
     }
 
     #[test]
@@ -139,6 +165,18 @@ mod tests {
     }
 
     #[test]
+    fn the_pixel_chart_drops_no_row_and_names_the_lines() {
+        let text = written("pixels.svg");
+        for row in study().pixels {
+            let title = format!("<title>{} in {}", row.method, row.format);
+            assert!(text.contains(&title), "{title}");
+            assert!(text.contains(&format!(">{}</text>", row.method)), "{} has no line", row.method);
+        }
+        assert!(text.contains(">f16 NaN<"));
+        assert!(!text.contains("\"inf") && !text.contains("\"NaN"), "no place");
+    }
+
+    #[test]
     fn the_report_loads_nothing() {
         let text = written("report.html").replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
         assert!(!text.contains("http://") && !text.contains("https://"));
@@ -147,7 +185,7 @@ mod tests {
 
     #[test]
     fn the_same_study_gives_the_same_files() {
-        for name in ["results.csv", "results.json", "chart.svg", "report.html"] {
+        for name in FILES {
             assert_eq!(written(name), written(name), "{name}");
         }
     }
@@ -157,7 +195,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         prepare(folder.path()).expect("a folder to write to");
         write(&study(), folder.path()).expect("files");
-        assert_eq!(fs::read_dir(folder.path()).expect("entries").count(), 4);
+        assert_eq!(fs::read_dir(folder.path()).expect("entries").count(), FILES.len());
     }
 
     #[test]

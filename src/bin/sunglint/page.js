@@ -1,16 +1,17 @@
 'use strict';
 
-// Shows the chart that is chosen, and the rows of its light.
-function show() {
-  const light = document.getElementById('light').value;
-  const kind = document.querySelector('input[name="kind"]:checked').value;
-  const all = document.getElementById('all').checked;
-  for (const figure of document.querySelectorAll('figure')) {
-    figure.hidden = figure.dataset.light !== light || figure.dataset.kind !== kind;
-  }
-  document.getElementById('measurements').classList.toggle('one-light', !all);
-  for (const row of document.querySelectorAll('#measurements tbody tr')) {
-    row.hidden = !all && row.dataset.light !== light;
+// What the forms of a section choose, by name.
+function choice(section) {
+  const forms = [...section.querySelectorAll('.choice')];
+  return forms.flatMap(form => [...new FormData(form)]);
+}
+
+// Shows the charts and the rows of what is chosen.
+function show(section) {
+  const chosen = choice(section);
+  for (const part of section.querySelectorAll('figure, tbody tr')) {
+    const data = part.dataset;
+    part.hidden = chosen.some(([name, value]) => value !== 'all' && name in data && data[name] !== value);
   }
 }
 
@@ -37,12 +38,11 @@ function sort(head) {
 for (const button of document.querySelectorAll('th button')) {
   button.addEventListener('click', () => sort(button.parentNode));
 }
-if (document.querySelector('figure')) {
-  for (const form of document.querySelectorAll('.choice')) {
-    form.hidden = false;
-    form.addEventListener('change', show);
-    form.addEventListener('submit', event => event.preventDefault());
-  }
-  document.querySelector('.choice').reset();
-  show();
+for (const form of document.querySelectorAll('.choice')) {
+  const section = form.closest('section');
+  form.hidden = false;
+  form.addEventListener('change', () => show(section));
+  form.addEventListener('submit', event => event.preventDefault());
+  form.reset();
+  show(section);
 }

@@ -1,121 +1,97 @@
 //! report.html: charts, tables and explanations in one file that loads nothing.
 
-use crate::chart::{self, under_light};
-use crate::error_kind::ErrorKind;
-use crate::key::{Key, in_order};
+mod cells;
+mod directions;
+mod kernels;
+mod lobes;
+mod pixels;
+mod quantities;
+
+pub use cells::escape;
+
 use crate::number;
 use crate::options::DEFAULT_SEED;
-use crate::page_table;
 use crate::result::Study;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-const INTRODUCTION: &str = "<p>A highlight shows the point of a light that lies nearest to the \
-mirror direction. Each mark below is one way to find the direction to that point: a method, told by \
+const INTRODUCTION: &str = "<p>Each mark in a chart of error against cost is one way to compute the same thing: a method, told by \
 its shape, in a number format, told by its colour and its label. Further <strong>left is \
 cheaper</strong>, further <strong>down is more exact</strong>; both axes are logarithmic. The grey \
 stairs are the Pareto frontier: for every mark off them there is another that is neither dearer nor \
-more wrong. The dashed line is an error as large as the light’s own angular radius. A hollow, crossed-out mark fails, and \
+more wrong. A hollow, crossed-out mark fails, and \
 its label says how: <em>disc lost</em> is off by half of the radius or more within ten radii of the \
 light; in the grey strip on top stands what gave no number at all. Point at a mark for its numbers.</p>";
 
-const METHODS: &str = "<p>All take the unit directions l to the light’s centre and r along the mirror \
-ray, and radius over distance, x = sin θ.</p>\n<dl>\
-<dt>epic</dt><dd>C = (L·r) r − L, P = L + C sat(R / |C|), with L as long as the distance: Epic’s \
-representative point as published. The Sun’s distance in kilometres overflows f16 and fixed point.</dd>\
-<dt>factored</dt><dd>D = (l·r) r − l, P = l + D sat(x / |D|): the same with the distance divided out. \
-Turns by about θ cos(angle), so it falls short away from the light and goes the wrong way behind it.</dd>\
-<dt>disc</dt><dd>r where l·r ≥ cos θ, else cos θ l + sin θ times the tangent: the nearest direction of the \
-disc, told by a cosine that narrow formats round to 1.</dd>\
-<dt>cap</dt><dd>the same direction by the sine: e = r − l (r + l behind the light), s = e − (e·l) l; r \
-where s·s ≤ x², else l + (x / |s|) s − (1 − cos θ) l.</dd></dl>";
-
-const INPUTS: &str = "<p>None of these holds what <strong>rounding the directions</strong> into the format \
-costs before any method has its turn: the truth is always computed from the rounded directions. That \
-error is here, for rays within 90 degrees of the light.</p>";
-
-const ERRORS: &str = "<p><strong>Arithmetic error</strong> is what the number format costs: the \
-computed direction against the exact value of the same formula for the same input. <strong>Model \
-error</strong> is what the formula costs: its exact value against the nearest point of the light’s \
-disc. It hardly depends on the format, and no precision removes it. <strong>Total error</strong> is \
-the computed direction against the nearest point, so it holds both. A method may lead by its \
-arithmetic and yet trail by its model; hence two charts for each light, and two frontiers. The truth \
-is computed in f64, so errors of some 1e-16 rad are the truth’s own rounding as much as the method’s, and \
-their order says nothing. Left out are directions beside the opposite of the light, where all of \
-the rim is as near, and where the representative point falls into the origin; the table counts them.</p>";
+const DIRECTIONS: &str = "<p>A highlight shows the point of a light that lies nearest to the mirror direction. \
+These are ways to find the direction to that point. The dashed line is an error as large as the light’s own angular \
+radius.</p>";
 
 /// The whole page.
 pub fn report(study: &Study) -> String {
-    let lights = in_order(study.rows.iter().map(|row| &row.light));
-    let sections = [
-        section("How to read this", INTRODUCTION),
-        section("The methods", METHODS),
-        section("Error against cost", &charts(study, &lights)),
-        section("Arithmetic error, model error, total error", &errors(study, &lights)),
-        section("All measurements", &page_table::measurements(&study.rows, &lights)),
-        section("Quantities of the light", &page_table::quantities(&study.quantities)),
-        section("How the numbers were made", &origin(study)),
-    ];
+    let sections = sections(study);
+    let link = |section: &Section| Some(format!("<li><a href=\"#{}\">{}</a></li>", section.id, section.short?));
+    let contents: String = sections.iter().filter_map(link).collect();
+    let sections: String = sections.iter().map(Section::html).collect();
     format!(
         "<!doctype html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>sunglint: error against cost</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <header><h1>sunglint</h1><p>Error against cost of the specular light direction, {} \
-         measurements</p></header>\n<main>\n{}</main>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n",
-        study.rows.len(),
-        sections.concat()
+         <header><h1>sunglint</h1><p>Error against cost of light directions, lit pixels and their parts, {} \
+         measurements</p></header>\n<nav><ul>{contents}</ul></nav>\n<main>\n{sections}</main>\n\
+         <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
+        study.rows.len() + study.pixels.len() + study.lobes.len() + study.kernels.len(),
     )
 }
 
-/// `text` with the characters replaced that mean something in HTML.
-pub fn escape(text: &str) -> String {
-    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    text.replace('"', "&quot;").replace('\'', "&#39;")
+/// A part of the page under a heading.
+struct Section {
+    /// Address within the page.
+    id: &'static str,
+    /// Name in the contents, unless it belongs to the one before.
+    short: Option<&'static str>,
+    title: &'static str,
+    content: String,
 }
 
-fn section(title: &str, content: &str) -> String {
-    format!("<section>\n<h2>{title}</h2>\n{content}\n</section>\n")
-}
-
-/// A chart for each light and kind of error; the script shows one at a time.
-fn charts(study: &Study, lights: &[String]) -> String {
-    let key = Key::new(&study.rows);
-    let mut html = selectors(lights);
-    for (place, light) in lights.iter().enumerate() {
-        let rows = under_light(&study.rows, light);
-        for kind in ErrorKind::ALL {
-            let name = kind.name();
-            let svg = chart::one_error(&rows, kind, &key);
-            html += &format!(
-                "<figure data-light=\"{place}\" data-kind=\"{name}\">\n<figcaption>{}, {name} error \
-                 {}</figcaption>\n<div class=\"wide\" tabindex=\"0\">{svg}</div>\n</figure>\n",
-                escape(light),
-                kind.against()
-            );
-        }
+impl Section {
+    fn html(&self) -> String {
+        let Self { id, title, content, .. } = self;
+        format!("<section id=\"{id}\">\n<h2>{title}</h2>\n{content}\n</section>\n")
     }
-    html
 }
 
-fn selectors(lights: &[String]) -> String {
-    let option = |(place, light): (usize, &String)| format!("<option value=\"{place}\">{}</option>", escape(light));
-    let options: String = lights.iter().enumerate().map(option).collect();
-    let kind = |kind: ErrorKind| {
-        let name = kind.name();
-        let checked = if kind == ErrorKind::Arithmetic { " checked" } else { "" };
-        format!("<label><input type=\"radio\" name=\"kind\" value=\"{name}\"{checked}> {name}</label>")
-    };
-    format!(
-        "<form class=\"choice\" hidden><label>Light <select id=\"light\">{options}</select></label>\
-         <fieldset><legend>Error</legend>{}</fieldset></form>\n",
-        ErrorKind::ALL.map(kind).concat()
-    )
-}
-
-fn errors(study: &Study, lights: &[String]) -> String {
-    let models = page_table::model_errors(&study.rows, lights);
-    format!("{ERRORS}\n{models}\n{INPUTS}\n{}", page_table::input_errors(&study.rows, lights))
+/// What the page is made of, less what was not measured.
+fn sections(study: &Study) -> Vec<Section> {
+    let section = |id, short, title, content| Section { id, short, title, content };
+    let mut sections = vec![section("how", Some("How to read this"), "How to read this", INTRODUCTION.to_owned())];
+    if !study.rows.is_empty() {
+        let charts = format!("{DIRECTIONS}\n{}", directions::charts(study));
+        let errors = "Specular direction: arithmetic error, model error, total error";
+        sections.extend([
+            section("directions", Some("Directions"), "Specular direction: error against cost", charts),
+            section("methods", None, "Specular direction: the methods", directions::METHODS.to_owned()),
+            section("errors", None, errors, directions::errors(study)),
+            section("all-directions", None, "Specular direction: all measurements", directions::all(study)),
+        ]);
+    }
+    if !study.pixels.is_empty() {
+        sections.extend([
+            section("pixels", Some("Lit pixels"), "Lit pixels: error against cost", pixels::charts(study)),
+            section("all-pixels", None, "Lit pixels: all measurements", pixels::all(study)),
+        ]);
+    }
+    if !study.lobes.is_empty() {
+        let title = "Whole highlights: model error of every method";
+        sections.push(section("highlights", Some("Whole highlights"), title, lobes::all(study)));
+    }
+    sections.extend([
+        section("parts", Some("Building blocks"), "Building blocks", kernels::all(study)),
+        section("of-a-light", Some("Quantities"), "Quantities of the light", quantities::all(&study.quantities)),
+        section("origin", Some("Origin"), "How the numbers were made", origin(study)),
+    ]);
+    sections
 }
 
 /// Seed, size and command of the run.
@@ -127,17 +103,19 @@ fn origin(study: &Study) -> String {
         false => format!("{} to {}", number::count(least), number::count(most)),
     };
     format!(
-        "<p>sunglint {} tried {tried} directions for each measurement, drawn at random from seed {}, and the hard ones \
-         that have broken a method. \
+        "<p>sunglint {} tried {tried} directions for each measurement of a direction, drawn at random from seed {}, and the hard ones \
+         that have broken a method, and {} (by the integral over the disc), also random. \
          To do it again: <code>{}</code>. The same seed gives the same errors. \
          The costs are times of this machine in this run on the pixels of a ball in scan order, less that of an \
          empty call: the median over the \
          rounds, as a multiple of the time of f32 <code>factored</code> in the same round, with the \
          quartiles beside it. Every worst case is given with the raw bits of its input (the first input, where no answer is a \
-         direction), so that it can be computed again. The same numbers lie next to this page in <code>results.csv</code> and \
-         <code>results.json</code>, the first light’s charts in <code>chart.svg</code>.</p>",
+         direction), so that it can be computed again. The same numbers lie next to this page in <code>results.csv</code>, \
+         <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code> and, all together, in \
+         <code>results.json</code>, the first charts in <code>chart.svg</code> and <code>pixels.svg</code>.</p>",
         escape(&study.version),
         study.seed,
+        pixels::tried(study),
         command(study)
     )
 }
@@ -168,6 +146,21 @@ mod tests {
         let html = report(&sample::study(vec![row]));
         assert!(!html.contains("<b>") && html.contains("&lt;b&gt;"));
         assert_eq!(html.matches("<script>").count(), 1);
+    }
+
+    #[test]
+    fn there_is_a_figure_for_each_choice_and_a_row_for_each_measurement() {
+        let study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        let html = report(&study);
+        let count = |piece: &str| html.matches(piece).count();
+        // Two kinds of error of the light, two by two of the case, the highlight, two means of the building blocks.
+        assert_eq!([count("<figure data-light"), count("<figure data-case"), count("class=\"several\"")], [3, 4, 2]);
+        assert_eq!(count("<tr data-case"), study.pixels.len());
+        assert_eq!(count("data-alpha"), study.lobes.len());
+        for option in ["Sun, alpha 0.001", "45", "0.0625", "all"] {
+            assert!(html.contains(&format!("<option>{option}</option>")), "{option}");
+        }
+        assert!(html.contains(&study.kernels[0].worst_input));
     }
 
     #[test]

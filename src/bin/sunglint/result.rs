@@ -78,6 +78,110 @@ pub struct QuantityRow {
     pub refused: u64,
 }
 
+/// One highlight method in one number format on one surface under one light. Errors are relative to the whole
+/// pixel's true value.
+#[derive(Clone, Debug, Serialize)]
+pub struct PixelRow {
+    /// Light and roughness, such as `Sun, alpha 0.001`.
+    pub case: String,
+    /// Radius over distance of the light.
+    pub ratio: f64,
+    /// GGX width of the surface.
+    pub alpha: f64,
+    /// Name of the highlight method, such as `cone_ggx`.
+    pub method: String,
+    /// Name of the number format, such as `I2F14`.
+    pub format: String,
+    /// Time of a pixel over the time of f32 `factored` in the same run: median over the rounds.
+    pub cost: f64,
+    /// Lower quartile of that ratio.
+    pub cost_low: f64,
+    /// Upper quartile of that ratio.
+    pub cost_high: f64,
+    /// Worst arithmetic error: computed against the exact value of the same formula.
+    pub error_max: f64,
+    /// Root mean square of the arithmetic error.
+    pub error_rms: f64,
+    /// Worst model error: the formula's exact value against the integral over the disc; the same in every format.
+    pub model_max: f64,
+    /// Root mean square of the model error.
+    pub model_rms: f64,
+    /// The worst of both, combined: the root of the sum of their squares.
+    pub total_max: f64,
+    /// Root mean square of both together.
+    pub total_rms: f64,
+    /// Worst error that rounding directions, roughness and reflectances into the format makes by itself; in none of
+    /// the errors above.
+    pub input_max: f64,
+    /// Root mean square of the error from rounding the inputs.
+    pub input_rms: f64,
+    /// Pixels whose arithmetic was judged.
+    pub samples: u64,
+    /// Pixels whose model was judged.
+    pub model_samples: u64,
+    /// `NaN` where some answer was no number, or nothing.
+    pub failure: Option<String>,
+    /// Raw bits of the normal at the worst arithmetic error, in hexadecimal.
+    pub worst_n: String,
+    /// Raw bits of the direction to the viewer there.
+    pub worst_v: String,
+    /// Raw bits of the direction to the light there.
+    pub worst_l: String,
+    /// On the frontier of total root mean square against cost, among this case's rows; totals count as equal where
+    /// their first two digits are.
+    pub frontier: bool,
+}
+
+/// One method's whole highlight on one surface under one light, against the integral over the disc.
+#[derive(Clone, Debug, Serialize)]
+pub struct LobeRow {
+    /// Name of the light.
+    pub light: String,
+    /// Radius over distance of the light.
+    pub ratio: f64,
+    /// GGX width of the surface.
+    pub alpha: f64,
+    /// Degrees between the normal and the light.
+    pub incidence: u32,
+    /// Name of the highlight method, such as `cone_ggx`.
+    pub method: String,
+    /// All light that the true highlight sends out, over the light that comes in on a facing plane.
+    pub truth: f64,
+    /// All light that the method sends out over that.
+    pub energy: f64,
+    /// The method's brightest value over the true one.
+    pub peak: f64,
+    /// The integral of the difference's size over that of the truth.
+    pub relative_l1: f64,
+    /// Nodes of the integrals' rule.
+    pub nodes: usize,
+}
+
+/// One building block in one number format.
+#[derive(Clone, Debug, Serialize)]
+pub struct KernelRow {
+    /// Name of the function.
+    pub kernel: String,
+    /// What its errors are in.
+    pub unit: String,
+    /// Name of the number format, such as `I2F14`.
+    pub format: String,
+    /// Time of a call over the time of f32 `factored` in the same run: median over the rounds.
+    pub cost: f64,
+    /// Lower quartile of that ratio.
+    pub cost_low: f64,
+    /// Upper quartile of that ratio.
+    pub cost_high: f64,
+    /// Worst error.
+    pub error_max: f64,
+    /// Root mean square of the error.
+    pub error_rms: f64,
+    /// Inputs that were tried.
+    pub samples: u64,
+    /// Raw bits of the input at the worst error, in hexadecimal.
+    pub worst_input: String,
+}
+
 /// Everything that a run found.
 #[derive(Clone, Debug, Serialize)]
 pub struct Study {
@@ -93,4 +197,10 @@ pub struct Study {
     pub rows: Vec<Row>,
     /// One row per light quantity and format.
     pub quantities: Vec<QuantityRow>,
+    /// One row per case, highlight method and format.
+    pub pixels: Vec<PixelRow>,
+    /// One row per light, incidence, roughness and highlight method.
+    pub lobes: Vec<LobeRow>,
+    /// One row per building block and format.
+    pub kernels: Vec<KernelRow>,
 }

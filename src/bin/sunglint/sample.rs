@@ -1,6 +1,6 @@
 //! Small made-up studies for the tests.
 
-use crate::result::{QuantityRow, Row, Study};
+use crate::result::{KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
 
 /// A row of the Sun from Earth that works, without model error.
 pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
@@ -35,7 +35,95 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
 
 /// A study of `rows` alone.
 pub fn study(rows: Vec<Row>) -> Study {
-    Study { version: "0.1.0".to_owned(), seed: 1, light: None, quick: true, rows, quantities: Vec::new() }
+    Study {
+        version: "0.1.0".to_owned(),
+        seed: 1,
+        light: None,
+        quick: true,
+        rows,
+        quantities: Vec::new(),
+        pixels: Vec::new(),
+        lobes: Vec::new(),
+        kernels: Vec::new(),
+    }
+}
+
+/// The same with something of everything.
+pub fn whole_study(rows: Vec<Row>) -> Study {
+    let alphas = [0.0, 0.001, 0.0625];
+    let lobes = |method| alphas.map(|alpha| lobe(method, alpha));
+    Study {
+        quantities: vec![quantity()],
+        pixels: vec![
+            pixel("karis", "f32", 5.0, 1e-6),
+            pixel("karis", "f16", 90.0, f64::INFINITY),
+            pixel("cone_ggx", "f32", 9.0, 1e-6),
+        ],
+        lobes: [lobes("karis"), lobes("cone_ggx")].concat(),
+        kernels: vec![kernel("f32", 1.0), kernel("f16", f64::INFINITY)],
+        ..study(rows)
+    }
+}
+
+/// A pixel of the polished case.
+pub fn pixel(method: &str, format: &str, cost: f64, error: f64) -> PixelRow {
+    PixelRow {
+        case: "Sun, alpha 0.001".to_owned(),
+        ratio: 0.004650467,
+        alpha: 0.001,
+        method: method.to_owned(),
+        format: format.to_owned(),
+        cost,
+        cost_low: cost * 0.98,
+        cost_high: cost * 1.02,
+        error_max: error,
+        error_rms: error * 0.4,
+        model_max: 0.1,
+        model_rms: 0.04,
+        total_max: error.hypot(0.1),
+        total_rms: (error * 0.4).hypot(0.04),
+        input_max: 0.01,
+        input_rms: 0.004,
+        samples: 1000,
+        model_samples: 100,
+        failure: (!error.is_finite()).then(|| "NaN".to_owned()),
+        worst_n: "3f800000 00000000 00000000".to_owned(),
+        worst_v: "3f800000 3c000000 00000000".to_owned(),
+        worst_l: "3f800000 00000000 3c000000".to_owned(),
+        frontier: false,
+    }
+}
+
+/// A highlight of the Sun at 45 degrees.
+pub fn lobe(method: &str, alpha: f64) -> LobeRow {
+    LobeRow {
+        light: "Sun".to_owned(),
+        ratio: 0.004650467,
+        alpha,
+        incidence: 45,
+        method: method.to_owned(),
+        truth: 0.04,
+        energy: 1.01,
+        peak: 0.98,
+        relative_l1: 0.02 / (1.0 + alpha),
+        nodes: 8,
+    }
+}
+
+/// A building block.
+pub fn kernel(format: &str, error: f64) -> KernelRow {
+    KernelRow {
+        kernel: "normalize".to_owned(),
+        unit: "rad".to_owned(),
+        format: format.to_owned(),
+        cost: 0.4,
+        cost_low: 0.39,
+        cost_high: 0.41,
+        error_max: error,
+        error_rms: error * 0.4,
+        samples: 1000,
+        worst_input: "3f800000 00000000 00000000".to_owned(),
+    }
 }
 
 /// A quantity that works.

@@ -6,9 +6,6 @@ use kuva::render::layout::ComputedLayout;
 use crate::frame::Frame;
 use crate::labels::Area;
 
-/// Width and height of the label of the line at the light's radius, in pixels.
-const LINE_LABEL: (f64, f64) = (205.0, 16.0);
-
 /// The pixels of a panel and the values that they stand for.
 pub struct Sheet {
     /// Where the marks stand, in pixels.
@@ -21,7 +18,7 @@ impl Sheet {
     /// Pixels of `frame` as `layout` draws it.
     pub fn new(frame: &Frame, layout: &Layout) -> Self {
         let drawn = ComputedLayout::from_layout(layout);
-        let (x, y) = (frame.x, (frame.y.0, frame.top()));
+        let (x, y) = ((frame.x.0, frame.right), (frame.y.0, frame.top));
         let area = Area { x: (drawn.map_x(x.0), drawn.map_x(x.1)), y: (drawn.map_y(y.1), drawn.map_y(y.0)) };
         Self { area, x, y }
     }
@@ -44,12 +41,6 @@ impl Sheet {
         let corners: Vec<_> = points.windows(2).flat_map(corner).collect();
         let edge = |pair: &[(f64, f64)]| Area::spanned(self.pixels(pair[0]), self.pixels(pair[1]));
         corners.windows(2).map(edge).collect()
-    }
-
-    /// Room that kuva takes for the label of the line at the light's radius.
-    pub fn line_label(&self, frame: &Frame) -> Area {
-        let (right, line) = self.pixels((frame.x.1, frame.radius));
-        Area { x: (right - LINE_LABEL.0, right), y: (line - LINE_LABEL.1, line) }
     }
 }
 

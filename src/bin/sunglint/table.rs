@@ -1,10 +1,14 @@
 //! The tables on the terminal.
 
+mod kernels;
+mod lobes;
+mod pixels;
+
 use comfy_table::presets::NOTHING;
 use comfy_table::{CellAlignment, ContentArrangement, Table, TableComponent};
 
-use crate::chart::under_light;
-use crate::key::{Key, in_order};
+use crate::chart::{direction_key, under_light};
+use crate::key::in_order;
 use crate::number;
 use crate::result::{QuantityRow, Row, Study};
 
@@ -16,6 +20,9 @@ pub fn all(study: &Study) -> String {
         parts.push(one_light(&under_light(&study.rows, first)));
         parts.extend((!others.is_empty()).then(|| other_lights(study, others)));
     }
+    parts.extend((!study.pixels.is_empty()).then(|| pixels::all(study)));
+    parts.extend((!study.lobes.is_empty()).then(|| lobes::all(study)));
+    parts.extend((!study.kernels.is_empty()).then(|| kernels::all(study)));
     parts.extend((!study.quantities.is_empty()).then(|| quantities(&study.quantities)));
     parts.join("\n")
 }
@@ -85,7 +92,7 @@ pub fn frontier(row: &Row) -> &'static str {
 
 /// Worst total error of each method and format under the lights that have no table of their own.
 fn other_lights(study: &Study, lights: &[String]) -> String {
-    let key = Key::new(&study.rows);
+    let key = direction_key(study);
     let mut header = vec!["light", "method"];
     header.extend(key.formats.iter().map(String::as_str));
     let mut table = table(&header);
@@ -98,7 +105,7 @@ fn other_lights(study: &Study, lights: &[String]) -> String {
     format!("Worst total error in radians under the other lights\n{}\n", table.trim_fmt())
 }
 
-fn line(light: &str, method: &str, rows: &[&Row], key: &Key) -> Vec<String> {
+fn line(light: &str, method: &str, rows: &[&Row], key: &crate::key::Key) -> Vec<String> {
     let outcome = |format: &String| {
         let row = rows.iter().find(|row| row.method == method && &row.format == format);
         row.map_or_else(String::new, |row| row.failure.clone().unwrap_or_else(|| number::scientific(row.total_max)))
@@ -175,8 +182,7 @@ mod tests {
             sample::row("cap", "f64", 1.5, 0.0),
             mars,
         ];
-        let mut study = sample::study(rows);
-        study.quantities.push(sample::quantity());
+        let mut study = sample::whole_study(rows);
         frontier::mark(&mut study);
         study
     }
@@ -193,9 +199,11 @@ mod tests {
     }
 
     #[test]
-    fn other_lights_and_quantities_are_shown() {
+    fn everything_is_shown() {
         let text = all(&study());
-        assert!(text.contains("Sun from Mars") && text.contains("size_factor"));
+        for name in ["Sun from Mars", "size_factor", "Sun, alpha 0.001", "relative L1", "normalize"] {
+            assert!(text.contains(name), "{name}\n{text}");
+        }
     }
 
     #[test]

@@ -1,0 +1,170 @@
+//! Errors and costs of the direction methods in every format under every light.
+
+use indicatif::ProgressBar;
+use sunglint::trial::judge::DISC_LOST;
+use sunglint::trial::{Constants, Format, Judgement, Light, Method, Visitor, input, judge, lights};
+use sunglint::{Real, cap, disc, epic, factored};
+
+use crate::clock::{self, Batch, Contender, batch};
+use crate::measure::bits;
+use crate::options::Options;
+use crate::result::Row;
+use crate::workers;
+
+/// Random pairs a contender is tried on, beside the hard ones.
+const PAIRS: usize = 150_000;
+
+/// The same with `--quick`.
+const QUICK_PAIRS: usize = 10_000;
+
+/// Pixels across the ball whose pixels make a batch.
+const SIDE: u32 = 64;
+
+/// Names of the lights that can be asked for.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    lights::STUDY.iter().map(|light| light.name)
+}
+
+/// Steps of the progress bar.
+pub fn steps(options: &Options) -> usize {
+    wanted(options).count() * (Method::ALL.len() * Format::ALL.len() + rounds(options))
+}
+
+fn wanted(options: &Options) -> impl Iterator<Item = Light> {
+    lights::STUDY.into_iter().filter(|light| options.wants(light.name))
+}
+
+/// How often every contender has its turn.
+fn rounds(options: &Options) -> usize {
+    if options.quick { 17 } else { 81 }
+}
+
+/// The errors of all methods in all formats, on all cores.
+pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<Row> {
+    let contenders: Vec<_> = wanted(options)
+        .flat_map(|light| of_all().map(move |(method, format)| Judge { light, method, format, options }))
+        .collect();
+    workers::map(&contenders, progress, |&contender| {
+        let Judge { light, method, format, .. } = contender;
+        progress.set_message(format!("{}, {} in {}", light.name, method.name(), format.name()));
+        format.visit(contender)
+    })
+}
+
+/// Adds the costs to `rows`, which are those of [`errors`].
+pub fn add_costs(rows: &mut [Row], options: &Options, progress: &ProgressBar) {
+    for (light, rows) in wanted(options).zip(rows.chunks_mut(Method::ALL.len() * Format::ALL.len())) {
+        progress.set_message(format!("timing, {}", light.name));
+        let contenders: Vec<_> = of_all().map(|(method, format)| contender(method, format, &light)).collect();
+        let costs = clock::costs(&contenders, &baseline(&light), rounds(options), progress);
+        for (row, cost) in rows.iter_mut().zip(costs) {
+            (row.cost, row.cost_low, row.cost_high) = cost.figures();
+        }
+    }
+}
+
+/// All methods and formats in the order of the rows.
+fn of_all() -> impl Iterator<Item = (Method, Format)> {
+    Method::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)))
+}
+
+/// f32 `factored` under `light`, whose time is the unit of all costs.
+pub fn baseline(light: &Light) -> Contender {
+    contender(Method::Factored, Format::F32, light)
+}
+
+fn contender(method: Method, format: Format, light: &Light) -> Contender {
+    let build = |method| format.visit(Build { method, light });
+    Contender { call: build(Some(method)), empty: build(None), inputs: input::ball(SIDE).count() }
+}
+
+/// A batch of calls of a method on the pixels of a ball, or of empty ones.
+struct Build<'a> {
+    method: Option<Method>,
+    light: &'a Light,
+}
+
+impl Visitor for Build<'_> {
+    type Output = Batch;
+
+    fn visit<T: Real>(self) -> Batch {
+        let Constants { sphere, unfactored } = Constants::<T>::of(&self.light.light);
+        let pairs = input::ball(SIDE);
+        let pairs: Vec<_> = pairs.map(|pair| [pair.l.map(T::from_f64), pair.r.map(T::from_f64)]).collect();
+        // One closure a method, so that the compiler sees which one it is.
+        match self.method {
+            Some(Method::Epic) => batch(pairs, move |&[l, r]| epic(l, r, &unfactored)),
+            Some(Method::Factored) => batch(pairs, move |&[l, r]| factored(l, r, &sphere)),
+            Some(Method::Disc) => batch(pairs, move |&[l, r]| disc(l, r, &sphere)),
+            Some(Method::Cap) => batch(pairs, move |&[l, r]| cap(l, r, &sphere)),
+            None => batch(pairs, |&[l, _]| l),
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Judge<'a> {
+    light: Light,
+    method: Method,
+    format: Format,
+    options: &'a Options,
+}
+
+impl Visitor for Judge<'_> {
+    type Output = Row;
+
+    fn visit<T: Real>(self) -> Row {
+        let theta = self.light.light.angular_radius();
+        let count = if self.options.quick { QUICK_PAIRS } else { PAIRS };
+        let pairs = input::random(self.options.seed, count, theta).chain(input::hard(theta));
+        let judgement = judge::<T>(self.method, &self.light.light, pairs, self.format.step());
+        row(self.light, self.method, self.format, &judgement)
+    }
+}
+
+fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgement<T>) -> Row {
+    let failed = judgement.undirected == judgement.samples;
+    let shown = |error: f64| if failed { f64::NAN } else { error };
+    let worst = &judgement.worst;
+    let [l, r] = [worst.l, worst.r].map(|v| v.map(T::to_f64));
+    Row {
+        light: light.name.to_owned(),
+        ratio: light.light.sin(),
+        theta: light.light.angular_radius(),
+        method: method.name().to_owned(),
+        format: format.name().to_owned(),
+        cost: f64::NAN,
+        cost_low: f64::NAN,
+        cost_high: f64::NAN,
+        error_max: shown(worst.error),
+        error_rms: shown(judgement.mean_square.sqrt()),
+        model_max: shown(judgement.model_max),
+        model_rms: shown(judgement.model_mean_square.sqrt()),
+        total_max: shown(judgement.total_max),
+        total_rms: shown(judgement.total_mean_square.sqrt()),
+        input_max: judgement.input_max,
+        input_rms: judgement.input_mean_square.sqrt(),
+        samples: judgement.samples,
+        excluded: judgement.excluded,
+        undirected: judgement.undirected,
+        failure: failure(judgement),
+        worst_angle: sunglint::oracle::angle_between(l, r),
+        worst_l: bits(format, &l),
+        worst_r: bits(format, &r),
+        frontier: false,
+        total_frontier: false,
+    }
+}
+
+fn failure<T>(judgement: &Judgement<T>) -> Option<String> {
+    let failure = if judgement.undirected == judgement.samples {
+        "NaN"
+    } else if judgement.disc_lost >= DISC_LOST {
+        "disc lost"
+    } else if judgement.undirected > 0 {
+        "undirected"
+    } else {
+        return None;
+    };
+    Some(failure.to_owned())
+}

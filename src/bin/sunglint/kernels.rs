@@ -1,0 +1,99 @@
+//! Errors and costs of the building blocks in every format.
+
+use indicatif::ProgressBar;
+use sunglint::Real;
+use sunglint::trial::{Format, Light, Visitor, lights};
+
+use crate::clock::{self, Batch, Contender, batch};
+use crate::directions;
+use crate::kernel::{Kernel, Measured, pairs};
+use crate::measure::bits;
+use crate::options::Options;
+use crate::result::KernelRow;
+use crate::workers;
+
+/// Random pairs that an input's errors are taken of, and with `--quick`.
+const PAIRS: [usize; 2] = [100_000, 10_000];
+
+/// Steps of the progress bar.
+pub fn steps(options: &Options) -> usize {
+    Kernel::ALL.len() * Format::ALL.len() + rounds(options)
+}
+
+/// How often every contender has its turn.
+fn rounds(options: &Options) -> usize {
+    if options.quick { 17 } else { 81 }
+}
+
+fn of_all() -> impl Iterator<Item = (Kernel, Format)> {
+    Kernel::ALL.into_iter().flat_map(|kernel| Format::ALL.map(|format| (kernel, format)))
+}
+
+/// The errors of all kernels in all formats, on all cores.
+pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<KernelRow> {
+    let contenders: Vec<_> = of_all().map(|(kernel, format)| Judge { kernel, format, options }).collect();
+    workers::map(&contenders, progress, |&contender| {
+        progress.set_message(format!("{} in {}", contender.kernel.name(), contender.format.name()));
+        contender.format.visit(contender)
+    })
+}
+
+/// Adds the costs to `rows`, which are those of [`errors`].
+pub fn add_costs(rows: &mut [KernelRow], options: &Options, progress: &ProgressBar) {
+    progress.set_message("timing, building blocks");
+    let contenders: Vec<_> = of_all()
+        .map(|(kernel, format)| {
+            let build = |kernel| format.visit(Build { kernel });
+            Contender { call: build(Some(kernel)), empty: build(None), inputs: pairs::<f64>().len() }
+        })
+        .collect();
+    let [sun, ..]: [Light; 5] = lights::STUDY;
+    let costs = clock::costs(&contenders, &directions::baseline(&sun), rounds(options), progress);
+    for (row, cost) in rows.iter_mut().zip(costs) {
+        (row.cost, row.cost_low, row.cost_high) = cost.figures();
+    }
+}
+
+/// A batch of a kernel's calls, or of empty ones.
+struct Build {
+    kernel: Option<Kernel>,
+}
+
+impl Visitor for Build {
+    type Output = Batch;
+
+    fn visit<T: Real>(self) -> Batch {
+        match self.kernel {
+            Some(kernel) => kernel.calls::<T>(),
+            None => batch(pairs::<T>(), |&[a, _]| a),
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Judge<'a> {
+    kernel: Kernel,
+    format: Format,
+    options: &'a Options,
+}
+
+impl Visitor for Judge<'_> {
+    type Output = KernelRow;
+
+    fn visit<T: Real>(self) -> KernelRow {
+        let count = PAIRS[usize::from(self.options.quick)];
+        let Measured { max, rms, samples, worst } = self.kernel.errors::<T>(self.options.seed, count);
+        KernelRow {
+            kernel: self.kernel.name().to_owned(),
+            unit: self.kernel.unit().to_owned(),
+            format: self.format.name().to_owned(),
+            cost: f64::NAN,
+            cost_low: f64::NAN,
+            cost_high: f64::NAN,
+            error_max: max,
+            error_rms: rms,
+            samples,
+            worst_input: bits(self.format, &worst),
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The sections of the page about the direction methods.
+
+use super::cells::{self, bits, cell, count, percent, scientific, sortable, text};
+use crate::chart::{self, under_light};
+use crate::direction_panel;
+use crate::error_kind::ErrorKind;
+use crate::key::in_order;
+use crate::number;
+use crate::result::{Row, Study};
+use crate::table;
+
+/// What the methods do.
+pub const METHODS: &str = "<p>All take the unit directions l to the light’s centre and r along the mirror \
+ray, and radius over distance, x = sin θ.</p>\n<dl>\
+<dt>epic</dt><dd>C = (L·r) r − L, P = L + C sat(R / |C|), with L as long as the distance: Epic’s \
+representative point as published. The Sun’s distance in kilometres overflows f16 and fixed point.</dd>\
+<dt>factored</dt><dd>D = (l·r) r − l, P = l + D sat(x / |D|): the same with the distance divided out. \
+Turns by about θ cos(angle), so it falls short away from the light and goes the wrong way behind it.</dd>\
+<dt>disc</dt><dd>r where l·r ≥ cos θ, else cos θ l + sin θ times the tangent: the nearest direction of the \
+disc, told by a cosine that narrow formats round to 1.</dd>\
+<dt>cap</dt><dd>the same direction by the sine: e = r − l (r + l behind the light), s = e − (e·l) l; r \
+where s·s ≤ x², else l + (x / |s|) s − (1 − cos θ) l.</dd></dl>";
+
+const INPUTS: &str = "<p>None of these holds what <strong>rounding the directions</strong> into the format \
+costs before any method has its turn: the truth is always computed from the rounded directions. That \
+error is here, for rays within 90 degrees of the light.</p>";
+
+const ERRORS: &str = "<p><strong>Arithmetic error</strong> is what the number format costs: the \
+computed direction against the exact value of the same formula for the same input. <strong>Model \
+error</strong> is what the formula costs: its exact value against the nearest point of the light’s \
+disc. It hardly depends on the format, and no precision removes it. <strong>Total error</strong> is \
+the computed direction against the nearest point, so it holds both. A method may lead by its \
+arithmetic and yet trail by its model; hence two charts for each light, and two frontiers. The truth \
+is computed in f64, so errors of some 1e-16 rad are the truth’s own rounding as much as the method’s, and \
+their order says nothing. Left out are directions beside the opposite of the light, where all of \
+the rim is as near, and where the representative point falls into the origin; the table counts them.</p>";
+
+/// The lights in the order of the rows.
+fn lights(study: &Study) -> Vec<String> {
+    in_order(study.rows.iter().map(|row| &row.light))
+}
+
+/// A chart for each light and kind of error; the script shows one at a time.
+pub fn charts(study: &Study) -> String {
+    let key = chart::direction_key(study);
+    let lights = lights(study);
+    let kinds = ErrorKind::ALL.map(ErrorKind::name);
+    let choice = cells::select("Light", "light", &lights) + &cells::radio("Error", "kind", &kinds);
+    let figure = |light: &String, kind: ErrorKind| {
+        let name = format!("{}: {} error", chart::direction_title(light), kind.name());
+        let svg = chart::one_panel(&direction_panel::field(&under_light(&study.rows, light), kind), &key, &name);
+        let caption = format!("{light}, {} error {}", kind.name(), kind.against());
+        cells::figure(&[("light", light), ("kind", kind.name())], &caption, &svg)
+    };
+    let figures = lights.iter().flat_map(|light| ErrorKind::ALL.map(|kind| figure(light, kind)));
+    cells::form(&choice) + &figures.collect::<String>()
+}
+
+/// What the kinds of error are, and the two that the charts do not tell apart.
+pub fn errors(study: &Study) -> String {
+    let lights = lights(study);
+    let models = model_errors(&study.rows, &lights);
+    format!("{ERRORS}\n{models}\n{INPUTS}\n{}", input_errors(&study.rows, &lights))
+}
+
+/// The table of all rows, with its choice of a light.
+pub fn all(study: &Study) -> String {
+    measurements(&study.rows, &lights(study))
+}
+
+/// Every row, to be sorted by any column.
+fn measurements(rows: &[Row], lights: &[String]) -> String {
+    const COLUMNS: [&str; 20] = [
+        "light",
+        "method",
+        "format",
+        "cost",
+        "cost quartiles",
+        "arithmetic max, rad",
+        "in % of radius",
+        "arithmetic rms, rad",
+        "model max, rad",
+        "total max, rad",
+        "in % of radius",
+        "total rms, rad",
+        "outcome",
+        "frontier",
+        "tried",
+        "left out",
+        "no direction",
+        "worst at angle, rad",
+        "worst light, raw bits",
+        "worst mirror direction, raw bits",
+    ];
+    let line = |row: &Row| {
+        let class = if row.failure.is_some() { " class=\"fails\"" } else { "" };
+        format!("<tr{}{class}>{}</tr>\n", cells::data(&[("light", &row.light)]), line(row))
+    };
+    let lines: String = rows.iter().map(line).collect();
+    let choice = cells::form(&cells::select("Light", "light", &[lights, &[cells::ALL.to_owned()]].concat()));
+    format!("{choice}{}", sortable("measurements", &COLUMNS, &lines))
+}
+
+fn line(row: &Row) -> String {
+    let quartiles = format!("{} to {}", number::cost(row.cost_low), number::cost(row.cost_high));
+    let outcome = row.failure.as_ref().map_or("works".to_owned(), |why| format!("fails: {why}"));
+    let frontier = table::frontier(row);
+    [
+        text(&row.light),
+        text(&row.method),
+        text(&row.format),
+        cell(row.cost, &number::cost(row.cost)),
+        cell(row.cost_low, &quartiles),
+        scientific(row.error_max),
+        percent(row.error_max, row.theta),
+        scientific(row.error_rms),
+        scientific(row.model_max),
+        scientific(row.total_max),
+        percent(row.total_max, row.theta),
+        scientific(row.total_rms),
+        text(&outcome),
+        text(if frontier.is_empty() { "no" } else { frontier }),
+        count(row.samples),
+        count(row.excluded),
+        count(row.undirected),
+        scientific(row.worst_angle),
+        bits(&row.worst_l),
+        bits(&row.worst_r),
+    ]
+    .concat()
+}
+
+/// Worst model error of each method under each light.
+fn model_errors(rows: &[Row], lights: &[String]) -> String {
+    by_light("models", "worst model error, rad", rows, lights, |row| (&row.method, row.model_max))
+}
+
+/// What rounding the directions costs in each format under each light.
+fn input_errors(rows: &[Row], lights: &[String]) -> String {
+    by_light("inputs", "rms error from rounded inputs, rad", rows, lights, |row| (&row.format, row.input_rms))
+}
+
+/// A line for each light and a column for each name that `part` gives, in the cells the greatest of its figures.
+fn by_light(
+    id: &str,
+    title: &str,
+    rows: &[Row],
+    lights: &[String],
+    part: impl Fn(&Row) -> (&String, f64) + Copy,
+) -> String {
+    let names = in_order(rows.iter().map(|row| part(row).0));
+    let mut columns = vec![title];
+    columns.extend(names.iter().map(String::as_str));
+    let line = |light: &String| {
+        let rows = under_light(rows, light);
+        let cells: String = names.iter().map(|name| greatest(&rows, name, part)).collect();
+        format!("<tr>{}{cells}</tr>\n", text(light))
+    };
+    sortable(id, &columns, &lights.iter().map(line).collect::<String>())
+}
+
+fn greatest(rows: &[&Row], name: &str, part: impl Fn(&Row) -> (&String, f64)) -> String {
+    let theta = rows.first().map_or(1.0, |row| row.theta);
+    let figures = rows.iter().map(|row| part(row)).filter(|(other, _)| *other == name).map(|(_, figure)| figure);
+    let worst = figures.fold(f64::NAN, f64::max);
+    let shown = format!("{} ({} %)", number::scientific(worst), number::percent(worst, theta));
+    cell(worst, &shown)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn a_failure_is_said_in_words_and_bits_are_shown() {
+        let mut row = sample::row("epic", "f16", 1.0, f64::NAN);
+        row.failure = Some("NaN".to_owned());
+        let html = measurements(&[row.clone()], &[row.light.clone()]);
+        assert!(html.contains("fails: NaN") && html.contains(&row.worst_l));
+    }
+
+    #[test]
+    fn the_model_error_is_the_worst_over_the_formats() {
+        let mut rows = [1e-9, f64::NAN, 2e-5].map(|_| sample::row("epic", "f32", 1.0, 1e-7));
+        (rows[0].model_max, rows[1].model_max, rows[2].model_max) = (1e-9, f64::NAN, 2e-5);
+        let html = model_errors(&rows, &[rows[0].light.clone()]);
+        assert!(html.contains("2.0e-5 (0.43 %)"), "{html}");
+    }
+}

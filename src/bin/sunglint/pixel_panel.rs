@@ -1,0 +1,95 @@
+//! The panel of lit pixels in one case.
+
+use crate::error_kind::ErrorKind;
+use crate::field::{Field, Line, Point};
+use crate::frame::Frame;
+use crate::frontier;
+use crate::key::in_order;
+use crate::number;
+use crate::pixel_error::PixelError;
+use crate::result::PixelRow;
+
+/// One error of `rows`, which are all of one case. With the total error goes a line for each method's model error.
+pub fn field(rows: &[&PixelRow], error: PixelError) -> Field {
+    let lines = if error.kind == ErrorKind::Total { lines(rows, error) } else { Vec::new() };
+    let errors = rows.iter().map(|row| error.of(row)).chain(lines.iter().map(|line| line.error));
+    let frame = Frame::new(rows.iter().map(|row| row.cost), errors);
+    let on_frontier = frontier::members(rows, |_| String::new(), |row| error.standing(row));
+    Field {
+        title: format!("{} {} error of a lit pixel", error.mean.adjective(), error.kind.name()),
+        subtitle: error.against().to_owned(),
+        call: "pixel",
+        error_axis: "error relative to the pixel".to_owned(),
+        per_cent: None,
+        frame: if lines.is_empty() { frame } else { frame.with_lane() },
+        points: rows.iter().zip(on_frontier).map(|(row, on_frontier)| point(row, error, on_frontier)).collect(),
+        lines,
+    }
+}
+
+/// The model error of each method, which no precision removes.
+fn lines(rows: &[&PixelRow], error: PixelError) -> Vec<Line> {
+    let first = |name: &String| rows.iter().find(|row| row.method == *name);
+    let names = in_order(rows.iter().map(|row| &row.method));
+    let line = |name: &String| first(name).map(|row| Line { error: error.model(row), name: name.clone() });
+    names.iter().filter_map(line).collect()
+}
+
+fn point(row: &PixelRow, error: PixelError, on_frontier: bool) -> Point {
+    Point {
+        method: row.method.clone(),
+        format: row.format.clone(),
+        cost: row.cost,
+        error: error.of(row),
+        fails: row.failure.is_some(),
+        on_frontier,
+        label: match &row.failure {
+            Some(failure) => format!("{} {failure}", row.format),
+            None => row.format.clone(),
+        },
+        tooltip: tooltip(row, error),
+    }
+}
+
+fn tooltip(row: &PixelRow, error: PixelError) -> String {
+    format!(
+        "{} in {}\n{} of the arithmetic error {}, of the model error {}, of both {}\ncost {}",
+        row.method,
+        row.format,
+        error.mean.name(),
+        number::scientific(PixelError { kind: ErrorKind::Arithmetic, ..error }.of(row)),
+        number::scientific(error.model(row)),
+        number::scientific(PixelError { kind: ErrorKind::Total, ..error }.of(row)),
+        number::quartiles([row.cost, row.cost_low, row.cost_high]),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mean::Mean;
+    use crate::sample;
+
+    #[test]
+    fn only_the_total_error_has_lines_and_each_method_one() {
+        let rows = [
+            sample::pixel("karis", "f32", 5.0, 1e-6),
+            sample::pixel("karis", "f16", 90.0, 1e-2),
+            sample::pixel("cone_ggx", "f32", 9.0, 1e-6),
+        ];
+        let rows: Vec<_> = rows.iter().collect();
+        let lines = |kind| field(&rows, PixelError { kind, mean: Mean::Max }).lines;
+        assert_eq!(lines(ErrorKind::Total).len(), 2);
+        assert!(lines(ErrorKind::Arithmetic).is_empty());
+    }
+
+    #[test]
+    fn precision_under_the_model_error_is_not_worth_its_cost() {
+        let mut rows = [sample::pixel("karis", "f32", 5.0, 1e-6), sample::pixel("karis", "f64", 6.0, 1e-15)];
+        for row in &mut rows {
+            row.total_rms = row.error_rms.hypot(0.3);
+        }
+        let field = field(&rows.iter().collect::<Vec<_>>(), PixelError::default());
+        assert!(field.points[0].on_frontier && !field.points[1].on_frontier);
+    }
+}

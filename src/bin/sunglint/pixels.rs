@@ -1,0 +1,225 @@
+//! Errors and costs of whole lit pixels: every highlight method in every format, on a surface under a light.
+
+use indicatif::ProgressBar;
+use sunglint::Real;
+use sunglint::highlight::Highlight;
+use sunglint::oracle::quadrature::Quadrature;
+use sunglint::scene::Channel;
+use sunglint::trial::gloss::{self, CASES, Case};
+use sunglint::trial::{Format, Found, Light, Make, Shading, ShadingVisitor, Visitor, input};
+
+use crate::clock::{self, Batch, Contender, batch};
+use crate::directions;
+use crate::measure::bits;
+use crate::options::Options;
+use crate::result::PixelRow;
+use crate::workers;
+
+/// Random pixels of which the arithmetic error is taken, the model error and the rounding of inputs.
+const PIXELS: [usize; 3] = [8000, 4000, 2000];
+
+/// The same with `--quick`.
+const QUICK_PIXELS: [usize; 3] = [800, 400, 200];
+
+/// Pixels across the ball whose pixels make a batch.
+const SIDE: u32 = 32;
+
+/// Rows of a case.
+const CONTENDERS: usize = Shading::ALL.len() * Format::ALL.len();
+
+/// Names of the cases, which begin with the light's.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    CASES.iter().map(|case| case.name)
+}
+
+/// Steps of the progress bar.
+pub fn steps(options: &Options) -> usize {
+    wanted(options).len() * (1 + CONTENDERS + rounds(options))
+}
+
+fn wanted(options: &Options) -> Vec<Case> {
+    CASES.into_iter().filter(|case| options.wants(case.name)).collect()
+}
+
+fn pixels(options: &Options) -> [usize; 3] {
+    if options.quick { QUICK_PIXELS } else { PIXELS }
+}
+
+/// How often every contender has its turn.
+fn rounds(options: &Options) -> usize {
+    if options.quick { 5 } else { 25 }
+}
+
+/// The errors of all methods in all formats, on all cores.
+pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
+    let cases = wanted(options);
+    let models = workers::map(&cases, progress, |case| {
+        progress.set_message(format!("{}, integrals over the disc", case.name));
+        models(case, options)
+    });
+    let contenders: Vec<_> = cases
+        .iter()
+        .zip(&models)
+        .flat_map(|(&case, models)| {
+            Shading::ALL.into_iter().zip(models).map(move |(method, model)| (case, method, model))
+        })
+        .flat_map(|(case, method, model)| {
+            Format::ALL.map(|format| Judge { case, method, format, model: *model, options })
+        })
+        .collect();
+    workers::map(&contenders, progress, |&contender| {
+        let Judge { case, method, format, .. } = contender;
+        progress.set_message(format!("{}, {} in {}", case.name, method.name(), format.name()));
+        format.visit(contender)
+    })
+}
+
+fn models(case: &Case, options: &Options) -> [Found<9>; Shading::ALL.len()] {
+    let pixels = case.pixels(options.seed, pixels(options)[1]);
+    if options.quick {
+        gloss::models(case, pixels, &Quadrature::<8>::new())
+    } else {
+        gloss::models(case, pixels, &Quadrature::<12>::new())
+    }
+}
+
+/// Adds the costs to `rows`, which are those of [`errors`].
+pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBar) {
+    for (case, rows) in wanted(options).iter().zip(rows.chunks_mut(CONTENDERS)) {
+        progress.set_message(format!("timing, {}", case.name));
+        let of_all = Shading::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
+        let contenders: Vec<_> = of_all.map(|(method, format)| contender(method, format, case)).collect();
+        let baseline = directions::baseline(&Light { name: case.name, light: case.light });
+        let costs = clock::costs(&contenders, &baseline, rounds(options), progress);
+        for (row, cost) in rows.iter_mut().zip(costs) {
+            (row.cost, row.cost_low, row.cost_high) = cost.figures();
+        }
+    }
+}
+
+fn contender(method: Shading, format: Format, case: &Case) -> Contender {
+    let build = |method| format.visit(Build { method, case });
+    Contender { call: build(Some(method)), empty: build(None), inputs: ball().count() }
+}
+
+/// Normal and direction to the viewer of the pixels of a ball in scan order.
+fn ball() -> impl Iterator<Item = [[f64; 3]; 2]> {
+    const V: [f64; 3] = [0.0, 0.0, 1.0];
+    input::ball(SIDE).map(|pair| {
+        // The normal is halfway between the viewer and the mirror ray.
+        let sum = [0, 1, 2].map(|i| pair.r[i] + V[i]);
+        let length = sum.map(|lane| lane * lane).iter().sum::<f64>().sqrt();
+        [sum.map(|lane| lane / length), V]
+    })
+}
+
+/// A batch of a method's calls on the pixels of a ball, or of empty ones.
+struct Build<'a> {
+    method: Option<Shading>,
+    case: &'a Case,
+}
+
+impl Visitor for Build<'_> {
+    type Output = Batch;
+
+    fn visit<T: Real>(self) -> Batch {
+        let pixels: Vec<_> = ball().map(|pixel| pixel.map(|vector| vector.map(T::from_f64))).collect();
+        match self.method {
+            Some(method) => method.visit(Calls { case: self.case, pixels }),
+            None => batch(pixels, |&[n, _]| n),
+        }
+    }
+}
+
+struct Calls<'a, T> {
+    case: &'a Case,
+    pixels: Vec<[[T; 3]; 2]>,
+}
+
+impl<T: Real> ShadingVisitor<T> for Calls<'_, T> {
+    type Output = Batch;
+
+    fn visit<H: Highlight<T> + 'static>(self, method: Make<T, H>) -> Batch {
+        // The light of `input::ball`.
+        let l = [1.0, 2.0, 3.0].map(|lane: f64| T::from_f64(lane / 14_f64.sqrt()));
+        let scene = gloss::scene(self.case, l, method).expect("the cases are within every format's ranges");
+        batch(self.pixels, move |&[n, v]| scene.shade_channel(n, v, Channel::Green))
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Judge<'a> {
+    case: Case,
+    method: Shading,
+    format: Format,
+    model: Found<9>,
+    options: &'a Options,
+}
+
+impl Visitor for Judge<'_> {
+    type Output = PixelRow;
+
+    fn visit<T: Real>(self) -> PixelRow {
+        let Self { case, method, format, model, options } = self;
+        let [arithmetic, _, input] = pixels(options).map(|count| case.pixels(options.seed, count));
+        let error = gloss::arithmetic::<T>(method, &case, arithmetic);
+        let input = gloss::input::<T>(method, &case, input);
+        let [n, v, l] = [0, 3, 6].map(|first| bits(format, &error.worst[first..first + 3]));
+        PixelRow {
+            case: case.name.to_owned(),
+            ratio: case.light.sin(),
+            alpha: case.alpha,
+            method: method.name().to_owned(),
+            format: format.name().to_owned(),
+            cost: f64::NAN,
+            cost_low: f64::NAN,
+            cost_high: f64::NAN,
+            error_max: error.max,
+            error_rms: error.rms(),
+            model_max: model.max,
+            model_rms: model.rms(),
+            total_max: error.max.hypot(model.max),
+            total_rms: error.rms().hypot(model.rms()),
+            input_max: input.max,
+            input_rms: input.rms(),
+            samples: error.samples,
+            model_samples: model.samples,
+            failure: (!error.max.is_finite()).then(|| "NaN".to_owned()),
+            worst_n: n,
+            worst_v: v,
+            worst_l: l,
+            frontier: false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ball_has_unit_normals_that_face_the_viewer() {
+        for [n, _] in ball() {
+            let square: f64 = n.iter().map(|lane| lane * lane).sum();
+            assert!((square - 1.0).abs() < 1e-12 && n[2] > 0.0, "{n:?}");
+        }
+        assert_eq!(ball().count(), input::ball(SIDE).count());
+    }
+
+    #[test]
+    fn the_models_at_once_are_those_one_by_one() {
+        let (case, rule) = (&CASES[3], Quadrature::<4>::new());
+        let at_once = gloss::models(case, case.pixels(1, 20), &rule);
+        assert_eq!(at_once, Shading::ALL.map(|method| gloss::model(method, case, case.pixels(1, 20), &rule)));
+        assert!(at_once[0].max > 0.0 && at_once[0].samples == 20);
+    }
+
+    #[test]
+    fn every_method_can_be_timed_in_every_format_in_every_case() {
+        for case in &CASES {
+            for format in Format::ALL {
+                Shading::ALL.into_iter().for_each(|method| (contender(method, format, case).call)());
+            }
+        }
+    }
+}
