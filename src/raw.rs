@@ -6,17 +6,18 @@
 //! Quantities of light are `u32` in Q16 (65536 is 1) and, where they are at most 1, `i32` in Q30.
 
 mod blackbody;
-mod radiometry;
-
-pub use blackbody::{relative_to_peak_frequency_q16, relative_to_peak_q16, tint_q16};
-pub use radiometry::{area_radiance_q16, diffuse_radiance_q16, irradiance_q16};
-
-mod sampling;
-
-pub use sampling::*;
-
 mod diffuse;
+mod radiometry;
+mod sampling;
+#[cfg(feature = "heapless")]
+mod scene;
+
+pub use blackbody::*;
 pub use diffuse::*;
+pub use radiometry::*;
+pub use sampling::*;
+#[cfg(feature = "heapless")]
+pub use scene::*;
 
 use fixed::types::{I2F14, I2F30};
 

@@ -1,8 +1,10 @@
 //! The raw-bits layer is the `fixed` layer on bits.
 
-use fixed::types::{I2F14, I2F30};
+use fixed::types::{I2F14, I2F30, U16F16, U32F32};
+use sunglint::material::{Material, Surface};
 use sunglint::raw::{SUN_Q14, SUN_Q30};
 use sunglint::sampling::{Cone, basis, points};
+use sunglint::scene::{Channel, Scene};
 use sunglint::shadow::soft_shadow;
 use sunglint::trial::input;
 use sunglint::{Real, SUN, Scalar, cap, disc, factored, normalize, raw, reflect};
@@ -85,4 +87,33 @@ fn sampling_in_q30_is_that_of_i2f30() {
         }
     }
     assert!(raw::points_q30(3, 100).eq(points::<I2F30>(3, 100).map(|point| point.map(I2F30::to_bits))));
+}
+
+#[test]
+fn a_scene_from_bits_is_one_from_the_types() {
+    let material = Material::new([0.5, 0.25, 0.125], 0.01, [0.04, 0.05, 0.06]).unwrap();
+    let (l, illuminance) = ([0.6, 0.0, 0.8], [3.0, 2.0, 1.0]);
+    let q14 = |v: [f64; 3]| v.map(I2F14::from_f64);
+    let q30 = |v: [f64; 3]| v.map(I2F30::from_f64);
+    let mut coarse = Scene::<I2F14, 1>::new(&Surface::of(&material));
+    let lamp = raw::lamp_q14(q14(l).map(I2F14::to_bits), &SUN_Q14, illuminance.map(|level| (level * 65536.0) as u32));
+    coarse.push(&lamp.unwrap()).unwrap();
+    let mut fine = Scene::<I2F30, 1>::new(&Surface::of(&material));
+    let lamp =
+        raw::lamp_q30(q30(l).map(I2F30::to_bits), &SUN_Q30, illuminance.map(|level| (level * 4294967296.0) as u64));
+    fine.push(&lamp.unwrap()).unwrap();
+    assert!(raw::lamp_q14([0; 3], &SUN_Q14, [1; 3]).is_err() && raw::lamp_q30([0; 3], &SUN_Q30, [1; 3]).is_err());
+    for pair in input::random(3, 500, SUN.angular_radius()) {
+        let (n, v) = (pair.l, pair.r);
+        let (a, b) = (q14(n), q14(v));
+        let [c, d] = [a, b].map(|v| v.map(I2F14::to_bits));
+        let levels = coarse.shade(a, b).map(U16F16::to_bits);
+        assert_eq!(raw::shade_q14(&coarse, c, d), levels);
+        assert_eq!(raw::shade_channel_q14(&coarse, c, d, Channel::Blue), levels[2]);
+        let (a, b) = (q30(n), q30(v));
+        let [c, d] = [a, b].map(|v| v.map(I2F30::to_bits));
+        let levels = fine.shade(a, b).map(U32F32::to_bits);
+        assert_eq!(raw::shade_q30(&fine, c, d), levels);
+        assert_eq!(raw::shade_channel_q30(&fine, c, d, Channel::Blue), levels[2]);
+    }
 }

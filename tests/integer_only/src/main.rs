@@ -8,10 +8,12 @@ use core::panic::PanicInfo;
 
 use sunglint::blackbody;
 use sunglint::fixed::types::{I2F30, I16F16, U16F16, U16F48, U20F12};
-use sunglint::highlight::{exact_rp_q30, karis_q30};
+use sunglint::highlight::{ConeGgx, DiscGgx, Highlight, PointGgx, ShiftedConeGgx, exact_rp_q30, karis_q30};
+use sunglint::material::{Material, Surface};
 use sunglint::radiometry::{Patch, SphereLight, flux, patch_solid_angle, sphere_radiance};
 use sunglint::raw::{self, SUN_Q14, SUN_Q30};
 use sunglint::real::{Scalar, Scaled};
+use sunglint::scene::Channel;
 use sunglint::{DistantSphere, Real, SUN, cap, disc, factored, normalization, normalize, reflect};
 use sunglint::{illuminance, lambert, lambert_disc};
 
@@ -34,6 +36,7 @@ pub extern "C" fn _start() -> ! {
         radiometry();
         black_body();
         sampling();
+        scene();
         #[cfg(feature = "planted_panic")]
         keep(black_box([0; 3])[black_box(0_usize)]);
         #[cfg(feature = "planted_float")]
@@ -82,6 +85,35 @@ fn light() {
     keep(normalization::radiance_q12(black_box(U20F12::ZERO), black_box(U16F48::ZERO)));
     keep(normalization::sun_radius_at_q16(black_box(I16F16::ZERO)));
     keep((karis_q30(ratio, ratio), exact_rp_q30(ratio, ratio)));
+}
+
+/// The whole pixel in both formats, by the default highlight and by the others.
+fn scene() {
+    const MATERIAL: Material = match Material::new([0.5; 3], 0.1, [0.04; 3]) {
+        Ok(material) => material,
+        Err(_) => panic!("reflectances are from 0 to 1"),
+    };
+    let (n, v) = black_box(([0, 0, 0], [0, 0, 0]));
+    let mut scene = raw::SceneQ14::<2>::new(&Surface::of(&MATERIAL));
+    keep(raw::lamp_q14(n, &SUN_Q14, black_box([0; 3])).and_then(|lamp| scene.push(&lamp)));
+    keep((raw::shade_q14(&scene, n, v), raw::shade_channel_q14(&scene, n, v, Channel::Red)));
+    let (n, v) = black_box(([0, 0, 0], [0, 0, 0]));
+    let mut scene = raw::SceneQ30::<2>::new(&Surface::of(&MATERIAL));
+    keep(raw::lamp_q30(n, &SUN_Q30, black_box([0; 3])).and_then(|lamp| scene.push(&lamp)));
+    keep((raw::shade_q30(&scene, n, v), raw::shade_channel_q30(&scene, n, v, Channel::Red)));
+    let number = black_box(Scaled::ZERO);
+    keep(Surface::<I2F30>::new([number; 3], number, [number; 3]));
+    others(SUN_Q30);
+    others(DistantSphere::<I16F16>::new(&SUN));
+}
+
+fn others<T: Real<Scalar = Scaled>>(sphere: DistantSphere<T>) {
+    let (n, v, l) = black_box(([T::ZERO; 3], [T::ZERO; 3], [T::ZERO; 3]));
+    let alpha = black_box(Scaled::ZERO);
+    keep((PointGgx::none(&sphere, alpha).shade(n, v, l), PointGgx::karis(&sphere, alpha).shade(n, v, l)));
+    keep((PointGgx::karis_third(&sphere, alpha).shade(n, v, l), PointGgx::exact_rp(&sphere, alpha).shade(n, v, l)));
+    keep((DiscGgx::new(&sphere, alpha).shade(n, v, l), DiscGgx::directional(&sphere, alpha).shade(n, v, l)));
+    keep((ConeGgx::new(&sphere, alpha).shade(n, v, l), ShiftedConeGgx::new(&sphere, alpha).shade(n, v, l)));
 }
 
 fn radiometry() {
