@@ -313,11 +313,11 @@ impl<T: Float> Real for T {
         let sum = zip(l, v, |l, v| (l + v) * half);
         let v_dot_h_square = Self::dot(sum, sum);
         let h = Self::normalize(sum);
-        let lean = zip(n, h, Self::sub);
-        let chord = Self::dot(lean, lean) * half * half;
-        let lean = each(lean, |lane| lane * gain);
-        let limit = T::constant(TILT_LIMIT);
-        let tilt = at_most(Self::dot(lean, lean) * (T::ONE - chord), limit);
+        // The difference is exact where it is small; what of it is along h is the error of the lengths.
+        let apart = zip(n, h, Self::sub);
+        let radial = Self::dot(apart, h);
+        let lean = each(zip(apart, h, |apart, h| apart - radial * h), |lane| lane * gain);
+        let tilt = at_most(Self::dot(lean, lean), T::constant(TILT_LIMIT));
         let across = Self::normalize(zip(l, v, Self::sub));
         let along = Self::dot(lean, across);
         let in_plane = if Self::dot(across, across) > zero { at_most(along * along, tilt) } else { tilt * half };
