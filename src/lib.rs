@@ -2,8 +2,18 @@
 //! chip without an FPU, half floats on a phone GPU, f32, f64.
 //!
 //! A distant sphere needs no position, only radius over distance. This crate turns that ratio into constants once
-//! ([`DistantSphere`]), and with them every pixel into the direction to shade with ([`cap`]), so that the highlight
-//! has the light's size. It does nothing else that a scene has: no camera, no geometry, no colour.
+//! ([`DistantSphere`]), and with them every pixel into the direction to shade with ([`cap`]), or into its brightness
+//! ([`scene`]), so that the highlight has the light's size and no more than its energy. It models no more than that needs:
+//! no camera, no geometry.
+//!
+//! | room | what it has |
+//! |---|---|
+//! | [`scene`], [`material`] | distant lights, one material, [`shade`](scene::Scene::shade) |
+//! | [`specular`], [`highlight`], [`diffuse`] | which point of the disc; how bright the gloss; how bright the rest, down to sunset |
+//! | [`light`], [`sphere`], [`normalization`] | a light as described, its constants in a format, sizeFactor and solid angle |
+//! | [`sampling`], [`shadow`] | directions of the disc and their density; soft shadows by the caller's visibility |
+//! | [`radiometry`], [`blackbody`] | power, intensity, irradiance, radiance; Planck's law and tints |
+//! | [`raw`] | the same on raw bits |
 //!
 //! ```
 //! use sunglint::{DistantSphere, SUN, cap, reflect};
@@ -18,15 +28,18 @@
 //!
 //! # Formats
 //!
-//! | type | lanes | scalars and constants | worst error of [`cap`] at the Sun | light quantities |
-//! |---|---|---|---|---|
-//! | f64 | as they are | the same | 2.5e-16 rad | 0.51 ULP |
-//! | f32 | as they are | the same | 5.4e-8 rad | 0.51 ULP |
-//! | micromath | f32 | the same | 7.5e-8 rad | 0.51 ULP |
-//! | f16 | f16, subnormals not needed | the same | 4.4e-4 rad | 0.8 ULP |
-//! | I2F14 | Q14 in 16 bits | Q28 in 32 | 5.8e-5 rad | 1 LSB of U16F48, U52F12 |
-//! | I2F30 | Q30 in 32 bits | Q60 in 64 | 1.4e-9 rad | the same |
-//! | I16F16 | Q16 in 32 bits | Q32 in 64 | 1.5e-5 rad | the same |
+//! | type | lanes | scalars and constants | worst error of [`cap`] at the Sun | light quantities | light levels |
+//! |---|---|---|---|---|---|
+//! | f64 | as they are | the same | 2.5e-16 rad | 0.51 ULP | the same |
+//! | f32 | as they are | the same | 5.4e-8 rad | 0.51 ULP | the same |
+//! | micromath | f32 | the same | 7.5e-8 rad | 0.51 ULP | the same |
+//! | f16 | f16, subnormals not needed | the same | 4.4e-4 rad | 0.8 ULP | the same |
+//! | I2F14 | Q14 in 16 bits | Q28 in 32 | 5.8e-5 rad | 1 LSB of U16F48, U52F12 | U16F16 |
+//! | I2F30 | Q30 in 32 bits | Q60 in 64 | 1.4e-9 rad | the same | U32F32 |
+//! | I16F16 | Q16 in 32 bits | Q32 in 64 | 1.5e-5 rad | the same | U16F16 |
+//!
+//! Brightness is computed in [`Scaled`](real::Scaled) numbers beside fixed-point lanes: 31 bits and an exponent of their
+//! own, in integers. Levels saturate.
 //!
 //! All live in one build; a format is a type, and a formula is written once over [`Real`]. [`raw`] takes and gives
 //! bits. The types come from the crates [`fixed`], [`half`] and [`micromath`], which are re-exported. f64 and f32
@@ -41,8 +54,8 @@
 //!
 //! # Features
 //!
-//! `fixed`, `half` and `micromath` (all on) bring the formats of the crates of those names. None changes a result.
-//! `oracle` adds the f64 truth and the lists that tests and study share, without the standard library; `study` the
+//! `fixed`, `half` and `micromath` (all on) bring the formats of the crates of those names, `heapless` (on) the scene,
+//! whose lights are in a list of that crate's; no type of it is public. None changes a result. `oracle` adds the f64 truth and the lists that tests and study share, without the standard library; `study` the
 //! host tool.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]

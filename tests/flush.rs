@@ -8,7 +8,7 @@ use sunglint::real::Constant;
 use sunglint::trial::diffuse::RELATIVE;
 use sunglint::trial::lights::BUDGETED;
 use sunglint::trial::radiometry::Formula;
-use sunglint::trial::{Format, Method, blackbody, budget, input, judge};
+use sunglint::trial::{Format, Method, Shading, blackbody, budget, gloss, input, judge};
 use sunglint::{DistantSphere, Float, Real, SUN, Scalar, cap, oracle, relative_illuminance};
 
 /// f16 whose every operation flushes subnormal arguments and results; `SCALED` with this crate's scale for squares.
@@ -182,6 +182,21 @@ fn a_setting_disc_keeps_the_budget_of_f16() {
             let kept = budgets[Format::F16 as usize] * truth + LEAST / 64.0;
             let allowed = if truth > 1.01 * LEAST { kept } else { LEAST };
             assert!((answer - truth).abs() <= allowed, "{} at {step}: {answer:e}, not {truth:e}", light.name);
+        }
+    }
+}
+
+/// Whole pixels too, the root mean square to within a tenth: highlights are measured in their own widths, so that only
+/// their far tails are subnormal.
+#[test]
+fn lit_pixels_keep_the_budgets_of_f16() {
+    for (index, case) in gloss::CASES.iter().enumerate() {
+        for method in [Shading::Karis, Shading::DiscGgx, Shading::ConeGgx] {
+            let found = gloss::arithmetic::<Flushing<true>>(method, case, case.pixels(1, 10_000));
+            let family = gloss::family(method);
+            let [max, mean] = [gloss::MAXIMA, gloss::MEANS].map(|table| table[family][index][Format::F16 as usize]);
+            let name = format!("{}, {}: {:e} {:e}", method.name(), case.name, found.max, found.rms());
+            assert!(found.max <= max && found.max >= max / 4.0 && found.rms() <= 1.1 * mean, "{name}");
         }
     }
 }

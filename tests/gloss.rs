@@ -29,14 +29,19 @@ fn arithmetic(method: Shading, format: Format, case: Case, seed: u64, count: usi
 fn keeps_its_budgets(format: Format) {
     for (index, case) in CASES.into_iter().enumerate() {
         for method in Shading::ALL {
-            let found = arithmetic(method, format, case, 1, 10_000);
+            // In f64 a few pixels in a hundred thousand show what the cone's root lacks.
+            let rare = format == Format::F64 && matches!(method, Shading::ConeGgx | Shading::Shifted);
+            let seeds = if rare { [50_000; 3] } else { [10_000, 0, 0] };
+            let tried = (1..).zip(seeds).filter(|&(_, count)| count > 0);
+            let found: Vec<_> = tried.map(|(seed, count)| arithmetic(method, format, case, seed, count)).collect();
             let name = format!("{} in {}, {}", method.name(), format.name(), case.name);
             let family = gloss::family(method);
             let within = |what: &str, found: f64, budget: f64| {
                 assert!(found <= budget && found >= budget / 4.0, "{name}: {what} {found:e}, budget {budget:e}");
             };
-            within("worst", found.max, MAXIMA[family][index][format as usize]);
-            within("rms", found.rms(), MEANS[family][index][format as usize]);
+            let max = worst(found.iter().map(|found| found.max));
+            within("worst", max, MAXIMA[family][index][format as usize]);
+            within("rms", worst(found.iter().map(Found::rms)), MEANS[family][index][format as usize]);
         }
     }
 }

@@ -31,7 +31,7 @@ fn by_the_cone<T: Real>(n: [T; 3], alpha: f64) -> f64 {
     let gloss = ConeGgx::new(&point, T::Scalar::nearest(alpha)).shade(n, n, n);
     // D V (n.l) is 1/4 of the peak 1 / (pi alpha^2) here.
     let [level, gain] = [gloss.level, gloss.gain].map(Scalar::exact);
-    level * gain * gain * 4.0 * PI * alpha * alpha
+    level * gain * 4.0 * PI * alpha * alpha
 }
 
 fn normals<T: Real>() -> impl Iterator<Item = [T; 3]> {

@@ -1,7 +1,7 @@
 //! The README's table of errors is the table of budgets.
 
 use sunglint::trial::judge::DISC_LOST;
-use sunglint::trial::{Format, Method, Visitor, budget, input, judge};
+use sunglint::trial::{Format, Method, Shading, Visitor, budget, gloss, input, judge};
 use sunglint::{Real, SUN};
 
 const METHODS: [Method; 4] = [Method::Cap, Method::Factored, Method::Disc, Method::Epic];
@@ -61,5 +61,54 @@ impl Visitor for Lost {
         let pairs = input::random(1, 20_000, SUN.angular_radius());
         let judgement = judge::<T>(self.method, &SUN, pairs, 1e-3);
         judgement.undirected < judgement.samples && judgement.disc_lost >= DISC_LOST
+    }
+}
+
+/// Every system has a function that exists and a test that exists.
+#[test]
+fn every_system_names_its_function_and_its_test() {
+    let table = README.split("## What is in it, and what proves it").nth(1).unwrap();
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .filter(|line| line.starts_with("| ") && !line.starts_with("| system"))
+        .map(|line| line.split('|').map(str::trim).collect())
+        .collect();
+    assert!(rows.len() > 30, "{}", rows.len());
+    let code = ["src", "src/highlight", "src/sampling", "src/blackbody", "src/oracle"].map(sources).concat();
+    for row in rows {
+        for function in row[2].split(", ").map(|name| name.trim_matches('`')) {
+            let declared = ["fn ", "struct ", "enum "].iter().any(|kind| {
+                let head = format!("{kind}{function}");
+                let ends = |text: &str| !text.starts_with(|next: char| next.is_alphanumeric() || next == '_');
+                code.split(&head).skip(1).any(ends)
+            });
+            assert!(declared, "{function} is nowhere");
+        }
+        let (file, test) = row[3].split_once(": ").unwrap();
+        let path = format!("{}/tests/{}", env!("CARGO_MANIFEST_DIR"), file.trim_matches('`'));
+        let code = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+        let head = format!("#[test]\nfn {}()", test.trim_matches('`'));
+        assert!(code.contains(&head), "{test} is not in {path}");
+    }
+}
+
+/// All Rust files of a folder, one after the other.
+fn sources(folder: &str) -> String {
+    let entries = std::fs::read_dir(format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let paths =
+        entries.map(|entry| entry.unwrap().path()).filter(|path| path.extension().is_some_and(|end| end == "rs"));
+    paths.map(|path| std::fs::read_to_string(path).unwrap()).collect()
+}
+
+/// The arithmetic of whole pixels is what `tests/gloss.rs` asserts.
+#[test]
+fn errors_of_pixels_are_the_budgets_that_are_asserted() {
+    let section = README.split("## A lit pixel").nth(1).unwrap();
+    let family = gloss::family(Shading::ConeGgx);
+    for (case, means) in gloss::CASES.iter().zip(gloss::MEANS[family]) {
+        let start = format!("| {} |", case.name);
+        let line = section.lines().find(|line| line.starts_with(&start)).unwrap_or_else(|| panic!("no row {start}"));
+        let cells: Vec<f64> = line.split('|').skip(2).filter_map(|cell| cell.trim().parse().ok()).collect();
+        assert_eq!(cells, means, "{}", case.name);
     }
 }

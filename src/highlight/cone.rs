@@ -21,11 +21,11 @@ use crate::sphere::DistantSphere;
 /// where `m_d` and `m_o` are the squares of `n` along `l - v` and `l x v` and `m` is their sum. Then, with everything
 /// positive and nothing subtracted,
 ///
-/// `D = 2 alpha^2 (2 (v.h)) / (pi (2 - w) sqrt(1 - k (m - phi)) sqrt(((2 - w) y + w) (g y + w)) (alpha^2 + k y^2 (m_d (1
+/// `D = 4 alpha^2 (v.h) / (pi (2 - w) sqrt(1 - k (m - phi)) sqrt(((2 - w) y + w) (g y + w)) (alpha^2 + k y^2 (m_d (1
 /// + A_d) / (y + A_d)^2 + m_o (1 + A_o) / (y + A_o)^2)))`,
 ///
-/// which is GGX for `w = 0`, where `y = alpha^2 z^2 + m`. The root is found by two steps that put one pole in place of
-/// the two; at most 2e-3 of the peak is lost by not taking more, and that only beyond 75 degrees.
+/// which is GGX for `w = 0`, where `y = alpha^2 z^2 + m`. The root is found by three steps that put one pole in place of
+/// the two, which is right to 1e-8 of a pixel up to 75 degrees.
 ///
 /// For `alpha = 0` the highlight is the sharp, elliptic image of the disc. For `x = 0` it is GGX; for both it is zero.
 /// Where the light is so low behind the surface's far side that `g <= 0`, it is zero.
@@ -47,7 +47,7 @@ pub struct ShiftedConeGgx<T: Real> {
 
 /// The share of the microfacets, as far as the disc's centre tells.
 struct Shape<S> {
-    /// `pi b^2 D / (4 v.h)`.
+    /// `pi b D / (4 v.h)`.
     value: S,
     /// `(n.h)^2`.
     cosine_square: S,
@@ -100,7 +100,9 @@ impl<S: Scalar> Cone<S> {
         let pole = ((along * first + across * second) / (along / first + across / second)).root();
         // Not a number where there is no disc.
         let pole = if pole > S::ZERO { pole } else { S::ZERO };
-        self.step(width, self.step(width, self.one_pole(width, tilt, pole)))
+        // Each step doubles the digits that are right.
+        let near = self.step(width, self.one_pole(width, tilt, pole));
+        self.step(width, self.step(width, near))
     }
 
     /// A better root from `y`: one pole with the value and the slope that the two have there.
@@ -141,7 +143,7 @@ impl<S: Scalar> Cone<S> {
         }
     }
 
-    /// `pi b^2 D / (4 v.h)`.
+    /// `pi b D / (4 v.h)`.
     #[inline]
     fn shape(&self, width: &Width<S>) -> S {
         let zero = S::ZERO;
@@ -160,7 +162,12 @@ impl<S: Scalar> Cone<S> {
         let density = self.rest + self.smooth * ((near + far) * y * square);
         let widen = |tilt: S, sum: S, opening: S| tilt * (y * (y / sum)) * (S::ONE + opening * square);
         let spread = a + self.smooth * (widen(near, first, self.opening[0]) + widen(far, second, self.opening[1]));
-        a / spread / density.root() / (self.along * first).root() / (self.across * second).root() / self.along
+        width.inverse * a
+            / spread
+            / density.root()
+            / (self.along * first).root()
+            / (self.across * second).root()
+            / self.along
     }
 
     /// The same for `alpha = 0`: whether `n` is in the cone of half vectors.
@@ -168,7 +175,11 @@ impl<S: Scalar> Cone<S> {
     fn mirrored(&self, width: &Width<S>) -> S {
         let [along, across] = self.tilt;
         let inside = self.along * along + self.across * across <= self.rest * width.disc;
-        if inside && positive(width.disc) { S::ONE / (self.along * width.disc * self.rest.root()) } else { S::ZERO }
+        if inside && positive(width.disc) {
+            width.inverse / (self.along * width.disc * self.rest.root())
+        } else {
+            S::ZERO
+        }
     }
 }
 

@@ -70,11 +70,11 @@ impl<T: Real> DiscGgx<T> {
         Self { width: Width::of(sphere, alpha), directional: true }
     }
 
-    /// `pi b^2 D`.
+    /// `pi b D`.
     #[inline]
     fn shape(&self, halfway: &Halfway<T::Scalar>, v_dot_h: T::Scalar, cosine_square: T::Scalar) -> T::Scalar {
         let zero = T::Scalar::ZERO;
-        let Width { alpha_square: a, disc, .. } = self.width;
+        let Width { alpha_square: a, disc, inverse, .. } = self.width;
         let m = halfway.tilt;
         let rough = a * cosine_square;
         let half_disc = disc * T::Scalar::constant(HALF);
@@ -94,9 +94,9 @@ impl<T: Real> DiscGgx<T> {
         }
         if p < zero {
             let spread = circle * cosine_square;
-            if positive(spread) { (size - p) / size / (spread + spread) } else { zero }
+            if positive(spread) { inverse * ((size - p) / size) / (spread + spread) } else { zero }
         } else {
-            (a + a) / size / (size + p)
+            inverse * (a + a) / size / (size + p)
         }
     }
 }

@@ -83,9 +83,9 @@ impl<T: Real> Highlight<T> for PointGgx<T> {
         let halfway = T::halfway(n, point, v, self.inverse_alpha);
         let shape = if self.alpha > T::Scalar::ZERO {
             let rest = upright(n_dot_l, n_dot_v, halfway.v_dot_h_square) + halfway.tilt;
-            T::Scalar::ONE / rest / rest
+            self.gain / rest / rest
         } else if point == r {
-            T::Scalar::ONE
+            self.gain
         } else {
             T::Scalar::ZERO
         };
