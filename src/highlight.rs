@@ -20,6 +20,8 @@
 //! highlight: the worst of `alpha` from 5e-4 to 1, and 0 but for `none` (`tests/lobe.rs`). Arithmetic errors of whole
 //! pixels in each format are the budgets of `trial::gloss`, asserted in `tests/gloss.rs`.
 //!
+//! A disc of more than half the sky has the highlight of half the sky.
+//!
 //! `1 - (n.h)^2` is never formed by subtraction. Nothing overflows: a method works in units of its highlight's own
 //! width, and the peak `1 / (pi alpha^2)`, which f16 cannot hold, is multiplied in a width at a time.
 //!
@@ -41,6 +43,7 @@ pub use microfacet::{schlick, smith};
 pub use point::PointGgx;
 
 use crate::real::{Constant, Real, Scalar};
+use crate::sphere::DistantSphere;
 
 /// A method of shading a glossy surface of one roughness under one light, its constants computed.
 pub trait Highlight<T: Real>: Copy {
@@ -66,6 +69,12 @@ impl<S: Scalar> Gloss<S> {
     /// No highlight.
     pub const DARK: Self = Self { level: S::ZERO, gain: S::ONE, fresnel: S::ZERO };
 
+    /// A level that may have left the range of f16, and the cosine that Schlick's weight is of.
+    #[inline]
+    pub(crate) fn of(level: S, gain: S, v_dot_h: S) -> Self {
+        Self { level: at_most(level, S::MAX), gain, fresnel: schlick(v_dot_h) }
+    }
+
     /// Radiance towards the viewer under a light of `illuminance`, for a reflectance at normal incidence of `f0`.
     #[inline]
     pub fn radiance(&self, illuminance: S, f0: S) -> S {
@@ -90,6 +99,12 @@ pub(crate) fn hypotenuse<S: Scalar>(a: S, b: S) -> S {
     } else {
         S::ZERO
     }
+}
+
+/// Sine and versine of a disc; of half the sky where it is more than that.
+pub(crate) fn extent<T: Real>(sphere: &DistantSphere<T>) -> [T::Scalar; 2] {
+    let [sin, versine] = [sphere.sin(), sphere.versine()].map(T::scalar);
+    if versine > T::Scalar::ONE { [T::Scalar::ONE; 2] } else { [sin, versine] }
 }
 
 /// Whether a number is above zero; false for NaN.

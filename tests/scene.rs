@@ -5,7 +5,7 @@ use std::f32::consts::PI;
 use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 use half::f16;
 use micromath::F32;
-use sunglint::highlight::{Highlight, PointGgx};
+use sunglint::highlight::{ConeGgx, DiscGgx, Highlight, PointGgx, ShiftedConeGgx};
 use sunglint::material::{Material, MaterialError, Surface};
 use sunglint::real::Scaled;
 use sunglint::scene::{Channel, Lamp, Scene, SceneError};
@@ -40,11 +40,11 @@ fn values<T: Real>(levels: [T::Level; 3]) -> [f64; 3] {
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const SLANT: [f64; 3] = [0.6, 0.0, 0.8];
 
-/// A white surface that faces a light of illuminance pi is white; 2.5e-3 is f16's share.
+/// A white surface that faces a light of illuminance pi is white, to the last places of the format.
 fn is_white<T: Real>(tolerance: f64) {
     let mut scene = Scene::<T, 1>::new(&Surface::of(&WHITE));
     scene.push(&lamp(UP, &SUN, std::f64::consts::PI)).unwrap();
-    // 80 degrees off, where the highlight of no reflectance is Fresnel's least.
+    // Straight on, where a reflectance of zero has no highlight.
     for channel in values::<T>(scene.shade(lanes(UP), lanes(UP))) {
         assert!((channel - 1.0).abs() < tolerance, "{}: {channel}", T::NAME);
     }
@@ -153,14 +153,13 @@ fn levels_saturate() {
 fn the_method_is_the_callers_choice() {
     let surface = Surface::<f32>::of(&VARNISH);
     let sun = lamp([-0.6, 0.0, 0.8], &SUN, PI.into());
-    let shade = |level: f32| level;
     let mut cone = Scene::<f32, 1>::new(&surface);
     cone.push(&sun).unwrap();
     let mut none = Scene::<f32, 1, _>::with_highlight(&surface, PointGgx::none);
     none.push(&sun).unwrap();
     let [own, plain] = [
-        shade(cone.shade_channel(lanes(UP), lanes(SLANT), Channel::Red)),
-        shade(none.shade_channel(lanes(UP), lanes(SLANT), Channel::Red)),
+        cone.shade_channel(lanes(UP), lanes(SLANT), Channel::Red),
+        none.shade_channel(lanes(UP), lanes(SLANT), Channel::Red),
     ];
     // In the middle of a highlight that is 20 times as wide as the Sun the two differ by a hundredth.
     assert!((plain / own - 1.0).abs() < 0.02 && plain != own, "{plain} {own}");
@@ -235,8 +234,8 @@ fn edges<T: Real, H: Highlight<T>>(method: fn(&DistantSphere<T>, T::Scalar) -> H
         [zero; 3],
     ];
     for alpha in [0.0, 5e-4, 1e-3, 0.1, 1.0] {
-        for ratio in [0.0, 1e-6, 1e-4, SUN.sin(), 0.3, 1.0] {
-            let sphere = DistantSphere::<T>::of(&DistantLight::from_ratio(ratio).unwrap());
+        for angle in [0.0, 1e-4, 0.01, 0.53, 35.0, 180.0, 181.0, 270.0, 360.0] {
+            let sphere = DistantSphere::<T>::of(&DistantLight::from_angle(angle).unwrap());
             let highlight = method(&sphere, T::Scalar::nearest(alpha));
             for n in directions {
                 for v in directions {
@@ -245,7 +244,7 @@ fn edges<T: Real, H: Highlight<T>>(method: fn(&DistantSphere<T>, T::Scalar) -> H
                         let radiance = T::of_level(T::level(gloss.radiance(T::Scalar::ONE, T::Scalar::ONE))).exact();
                         let found = [gloss.level, gloss.gain, gloss.fresnel].map(Scalar::exact);
                         let fine = found.into_iter().chain([radiance]).all(|value| value >= 0.0 && value.is_finite());
-                        assert!(fine, "{} alpha {alpha} ratio {ratio}: {n:?} {v:?} {l:?} gave {found:?}", T::NAME);
+                        assert!(fine, "{} alpha {alpha} angle {angle}: {n:?} {v:?} {l:?} gave {found:?}", T::NAME);
                     }
                 }
             }
@@ -253,8 +252,17 @@ fn edges<T: Real, H: Highlight<T>>(method: fn(&DistantSphere<T>, T::Scalar) -> H
     }
 }
 
+/// More than half of the sky is as bright as half of it.
+#[test]
+fn half_the_sky_is_the_most_a_highlight_shows() {
+    let gloss = |angle: f64| {
+        let sphere = DistantSphere::<f64>::of(&DistantLight::from_angle(angle).unwrap());
+        ConeGgx::new(&sphere, 0.1).shade(UP, SLANT, UP)
+    };
+    assert_eq!([gloss(270.0), gloss(360.0)], [gloss(180.0); 2]);
+}
+
 fn all_edges<T: Real>() {
-    use sunglint::highlight::{ConeGgx, DiscGgx, ShiftedConeGgx};
     edges::<T, _>(PointGgx::none);
     edges::<T, _>(PointGgx::karis);
     edges::<T, _>(PointGgx::exact_rp);

@@ -1,7 +1,7 @@
 //! GGX integrated over the disc exactly: the half vectors of a disc fill an elliptic cone.
 
 use super::disc::Width;
-use super::microfacet::{FOUR_OVER_PI, schlick, smith, upright};
+use super::microfacet::{FOUR_OVER_PI, smith, upright};
 use super::{Gloss, Highlight, at_most, positive};
 use crate::real::{Halfway, Real, Scalar, TILT_LIMIT};
 use crate::specular::{cap, reflect};
@@ -210,7 +210,7 @@ impl<T: Real> Highlight<T> for ConeGgx<T> {
         let shape = self.shape(n, v, l);
         let v_dot_h = shape.v_dot_h_square.root();
         let level = visibility * v_dot_h * shape.value * T::Scalar::constant(FOUR_OVER_PI);
-        Gloss { level, gain: self.width.inverse, fresnel: schlick(v_dot_h) }
+        Gloss::of(level, self.width.inverse, v_dot_h)
     }
 }
 
@@ -241,7 +241,6 @@ impl<T: Real> Highlight<T> for ShiftedConeGgx<T> {
         let shape = self.cone.shape(n, v, l);
         let slant = (v_dot_h_square + v_dot_h_square) / (n_dot_m + n_dot_v);
         let level = shape.value * shape.cosine_square.root() * visibility * slant * T::Scalar::constant(FOUR_OVER_PI);
-        let level = at_most(level, T::Scalar::MAX);
-        Gloss { level, gain: self.cone.width.inverse, fresnel: schlick(v_dot_h_square.root()) }
+        Gloss::of(level, self.cone.width.inverse, v_dot_h_square.root())
     }
 }

@@ -1,7 +1,7 @@
 //! GGX at one point of the disc, with a factor that keeps the energy.
 
-use super::microfacet::{schlick, smith, upright};
-use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, positive};
+use super::microfacet::{smith, upright};
+use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, extent, positive};
 use crate::real::{Constant, Real, Scalar};
 use crate::specular::{cap, reflect};
 use crate::sphere::DistantSphere;
@@ -50,7 +50,8 @@ impl<T: Real> PointGgx<T> {
     /// The factor that makes the energy right at normal incidence for small angles: `1 / (1 + (pi/2) t + t^2)` with
     /// `t = x / (2 alpha)`.
     pub fn exact_rp(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
-        let half = T::scalar(sphere.sin()) * T::Scalar::constant(HALF);
+        let [sin, _] = extent(sphere);
+        let half = sin * T::Scalar::constant(HALF);
         // b^2 = alpha^2 + (pi/2) alpha (x/2) + (x/2)^2, whose terms would be subnormal in f16.
         let (great, small) = if alpha > half { (alpha, half) } else { (half, alpha) };
         let ratio = if great > T::Scalar::ZERO { small / great } else { T::Scalar::ZERO };
@@ -59,7 +60,8 @@ impl<T: Real> PointGgx<T> {
     }
 
     fn widened(sphere: &DistantSphere<T>, alpha: T::Scalar, share: T::Scalar) -> Self {
-        let width = alpha + T::scalar(sphere.sin()) * share;
+        let [sin, _] = extent(sphere);
+        let width = alpha + sin * share;
         Self::of_width(sphere, alpha, at_most(width, T::Scalar::ONE))
     }
 
@@ -90,6 +92,6 @@ impl<T: Real> Highlight<T> for PointGgx<T> {
             T::Scalar::ZERO
         };
         let level = visibility * shape * T::Scalar::constant(INVERSE_PI);
-        Gloss { level, gain: self.gain, fresnel: schlick(halfway.v_dot_h_square.root()) }
+        Gloss::of(level, self.gain, halfway.v_dot_h_square.root())
     }
 }
