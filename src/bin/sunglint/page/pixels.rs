@@ -12,9 +12,10 @@ use crate::result::{PixelRow, Study};
 
 const INTRODUCTION: &str = "<p>A lit pixel is the whole radiance that a surface sends to the viewer: diffuse part (albedo 0.2) and \
 highlight (GGX, height-correlated Smith, Schlick with a reflectance of 0.04) under one light. Errors are relative to the pixel’s \
-true value, over pixels from the middle of the highlight to ten of its widths beside it. The <strong>dashed lines</strong> are \
-the model errors of the methods, the error of their formulas in exact arithmetic against the BRDF integrated over the disc: \
-<strong>under its method’s line more precision buys nothing</strong>. In the total, arithmetic and model error are \
+true value, over pixels from the middle of the highlight to ten of its widths beside it. The <strong>dashed lines</strong>, each with its method’s name \
+at its right end, are model errors: the error of a method’s formula in exact arithmetic against the BRDF integrated over the disc. \
+No mark can lie under its method’s line, and <strong>where a mark stands on its line, more precision buys nothing</strong>: only \
+another method does. In the total, arithmetic and model error are \
 combined as the root of the sum of their squares, and on its frontier stands only what gains in the first two digits.</p>\
 <dl><dt>none</dt><dd>GGX at the disc’s point nearest to the mirror ray: too bright, as the light’s energy is counted at every \
 point.</dd>\
