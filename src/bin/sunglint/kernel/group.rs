@@ -62,7 +62,8 @@ impl Kernel {
             }
             Self::RelativeIlluminance => {
                 "What a plane gets of the Sun as it sets, over what a plane gets that faces it. The error is \
-                 relative to the true share, down to the last sliver; in f16 shares below 6.1e-5 count as that much."
+                 relative to the true share, down to the last sliver; in f16 shares below 6.1e-5 count as that \
+                 much. Of it 2.5e-7 is a polynomial’s, in every format."
             }
             Self::Lambert => {
                 "Radiance of a matt surface. The error is in units of the last place of the answer: of the float, in \
