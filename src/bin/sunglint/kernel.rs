@@ -1,57 +1,153 @@
-//! Building blocks as a list: functions that are part of a lit pixel.
+//! Building blocks as a list: functions that are part of a lit pixel, or of the light that it is lit by.
 //!
-//! To add one: a variant of [`Kernel`], its name and unit, its errors and its call. Table, chart and clock then have it.
+//! To add one: a variant of [`Kernel`], its name, group, unit, inputs and what its error means, its errors and its calls.
+//! Table, chart and clock then have it.
 
-use oorandom::Rand64;
-use sunglint::oracle::angle_between;
-use sunglint::trial::{Found, input};
-use sunglint::{Real, normalize, reflect};
+mod calls;
+mod group;
+mod vectors;
 
-use crate::clock::{Batch, batch};
+use sunglint::oracle::planck::Law;
+use sunglint::trial::radiometry::Formula;
+use sunglint::trial::shadow::Occluder;
+use sunglint::trial::{Found, blackbody, diffuse, sampling, shadow};
+use sunglint::{Real, SUN};
 
-/// A function to be measured.
+/// A function to be measured; at the Sun from Earth, where it takes a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kernel {
     /// A vector of any length to unit length.
     Normalize,
     /// The mirror direction.
     Reflect,
+    /// Two directions across a given one.
+    Basis,
+    /// Sine and cosine of a part of a turn.
+    SinCos,
+    /// A direction of the disc.
+    ConeDirection,
+    /// How much of a disc that sets a plane gets.
+    RelativeIlluminance,
+    /// A matt surface.
+    Lambert,
+    /// What of the disc is seen, by [`DIRECTIONS`] directions.
+    SoftShadow,
+    /// Irradiance by a point.
+    Irradiance,
+    /// Power from patch to patch.
+    Flux,
+    /// Colour by a small sphere.
+    SphereLight,
+    /// Planck's law over its peak.
+    RelativeToPeak,
+    /// The colour of a temperature.
+    Tint,
 }
+
+/// The last place of an answer, which is a unit for each format.
+pub const ULP: &str = "ULP";
+
+/// Directions to the light for each soft shadow.
+const DIRECTIONS: u32 = 16;
 
 impl Kernel {
     /// All of them, in the order of tables.
-    pub const ALL: [Self; 2] = [Self::Normalize, Self::Reflect];
+    pub const ALL: [Self; 13] = [
+        Self::Normalize,
+        Self::Reflect,
+        Self::Basis,
+        Self::SinCos,
+        Self::ConeDirection,
+        Self::RelativeIlluminance,
+        Self::Lambert,
+        Self::SoftShadow,
+        Self::Irradiance,
+        Self::Flux,
+        Self::SphereLight,
+        Self::RelativeToPeak,
+        Self::Tint,
+    ];
 
     /// Name, as tables and charts print it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Normalize => "normalize",
             Self::Reflect => "reflect",
+            Self::Basis => "basis",
+            Self::SinCos => "sin_cos",
+            Self::ConeDirection => "Cone::direction",
+            Self::RelativeIlluminance => "relative_illuminance",
+            Self::Lambert => "lambert",
+            Self::SoftShadow => "soft_shadow",
+            Self::Irradiance => "irradiance",
+            Self::Flux => "flux",
+            Self::SphereLight => "SphereLight",
+            Self::RelativeToPeak => "relative_to_peak",
+            Self::Tint => "tint",
         }
     }
 
     /// What its errors are in.
     pub fn unit(self) -> &'static str {
         match self {
-            Self::Normalize | Self::Reflect => "rad",
+            Self::Normalize | Self::Reflect | Self::Basis | Self::ConeDirection => "rad",
+            Self::SinCos | Self::SoftShadow | Self::Tint => "absolute",
+            Self::Lambert => ULP,
+            Self::RelativeIlluminance | Self::Irradiance | Self::Flux | Self::SphereLight | Self::RelativeToPeak => {
+                "relative"
+            }
+        }
+    }
+
+    /// What a worst case is made of: a name for each place of [`Found::worst`], none for those that play no part.
+    fn inputs(self) -> &'static [&'static str] {
+        match self {
+            Self::Normalize => &["v.x", "v.y", "v.z"],
+            Self::Reflect => &["n.x", "n.y", "n.z", "v.x", "v.y", "v.z"],
+            Self::Basis => &["l.x", "l.y", "l.z"],
+            Self::SinCos => &["turn"],
+            Self::ConeDirection => &["l.x", "l.y", "l.z", "z", "turn"],
+            Self::RelativeIlluminance => &["n.l"],
+            Self::Lambert => &["albedo", "illuminance", "n.l"],
+            Self::SoftShadow => &["", "", "edge", "radius", "", "first"],
+            Self::Irradiance => &["intensity", "distance", "", "", "cos"],
+            Self::Flux => &["radiance", "sender", "receiver", "distance", "cos", "receiver's cos"],
+            Self::SphereLight => &["x", "y", "z", "radius"],
+            Self::RelativeToPeak => &["ratio"],
+            Self::Tint => &["kK", "red µm", "green µm", "blue µm"],
         }
     }
 
     /// Its errors against f64 at `count` random inputs, as rounded into the format.
     pub fn errors<T: Real>(self, seed: u64, count: usize) -> Measured {
         match self {
-            Self::Normalize => Measured::of(&normalize_errors::<T>(seed, count)),
-            Self::Reflect => Measured::of(&reflect_errors::<T>(seed, count)),
+            Self::Normalize => self.measured(&vectors::normalize_errors::<T>(seed, count)),
+            Self::Reflect => self.measured(&vectors::reflect_errors::<T>(seed, count)),
+            Self::Basis => self.measured(&sampling::basis_error::<T>(seed, count)),
+            Self::SinCos => {
+                let turns = sampling::points::<T>(seed).map(|[_, turn]| turn);
+                self.measured(&sampling::turn_error(turns.take(count)))
+            }
+            Self::ConeDirection => self.measured(&sampling::direction_error::<T>(&SUN, seed, count)),
+            Self::RelativeIlluminance => self.measured(&diffuse::relative_illuminance_error::<T>(&SUN, seed, count)),
+            Self::Lambert => self.measured(&diffuse::lambert_error::<T>(seed, count)),
+            Self::SoftShadow => {
+                // The true share takes as long as a hundred other kernels.
+                let scenes = count / 100;
+                self.measured(&shadow::error::<T>(&SUN, Occluder::Sphere, DIRECTIONS, seed, scenes))
+            }
+            Self::Irradiance => self.measured(&Formula::Irradiance.error::<T>(seed, count)),
+            Self::Flux => self.measured(&Formula::Flux.error::<T>(seed, count)),
+            Self::SphereLight => self.measured(&Formula::SmallSphere.error::<T>(seed, count)),
+            Self::RelativeToPeak => self.measured(&blackbody::relative_error::<T>(Law::Wavelength, seed, count)),
+            Self::Tint => self.measured(&blackbody::tint_error::<T>(seed, count)),
         }
     }
 
-    /// Its calls, for the clock.
-    pub fn calls<T: Real>(self) -> Batch {
-        let pairs = pairs::<T>();
-        match self {
-            Self::Normalize => batch(pairs, |&[_, b]| normalize(b)),
-            Self::Reflect => batch(pairs, |&[a, b]| reflect(a, b)),
-        }
+    fn measured<const INPUTS: usize>(self, found: &Found<INPUTS>) -> Measured {
+        let named = self.inputs().iter().zip(&found.worst).filter(|(name, _)| !name.is_empty());
+        let worst: Vec<_> = named.map(|(name, value)| format!("{name} {value}")).collect();
+        Measured { max: found.max, rms: found.rms(), samples: found.samples, worst: worst.join(", ") }
     }
 }
 
@@ -63,74 +159,66 @@ pub struct Measured {
     pub rms: f64,
     /// Inputs that were tried.
     pub samples: u64,
-    /// Input of the worst error.
-    pub worst: Vec<f64>,
-}
-
-impl Measured {
-    fn of<const INPUTS: usize>(found: &Found<INPUTS>) -> Self {
-        Self { max: found.max, rms: found.rms(), samples: found.samples, worst: found.worst.to_vec() }
-    }
-}
-
-/// Angle between `normalize(v)` and `v`, for lengths from a half to 1.15, the most that fits every format.
-fn normalize_errors<T: Real>(seed: u64, count: usize) -> Found<3> {
-    let mut source = Rand64::new(u128::from(seed));
-    let mut found = Found::new();
-    for pair in input::random(seed, count, 0.0) {
-        let length = 0.5 + 0.65 * source.rand_float();
-        let v = pair.r.map(|lane| T::from_f64(length * lane));
-        let exact = v.map(T::to_f64);
-        found.add(angle(normalize(v), exact), exact);
-    }
-    found
-}
-
-/// Angle between `reflect(n, v)` and `2 (n.v) n - v` in f64, which is rounded less often here than there.
-fn reflect_errors<T: Real>(seed: u64, count: usize) -> Found<6> {
-    let mut found = Found::new();
-    for pair in input::random(seed, count, 0.0) {
-        let [n, v] = [pair.l, pair.r].map(|vector| vector.map(T::from_f64));
-        let [[a, b, c], [d, e, f]] = [n, v].map(|vector| vector.map(T::to_f64));
-        let twice = 2.0 * a.mul_add(d, b.mul_add(e, c * f));
-        let truth = [twice.mul_add(a, -d), twice.mul_add(b, -e), twice.mul_add(c, -f)];
-        found.add(angle(reflect(n, v), truth), [a, b, c, d, e, f]);
-    }
-    found
-}
-
-/// The angle between an answer and the truth; NaN where the answer is no direction.
-fn angle<T: Real>(answer: [T; 3], truth: [f64; 3]) -> f64 {
-    let answer = answer.map(T::to_f64);
-    if answer == [0.0; 3] { f64::NAN } else { angle_between(answer, truth) }
-}
-
-/// Pixels across the ball whose pixels make a batch.
-const SIDE: u32 = 64;
-
-/// Directions to the light and along the mirror ray of the pixels of a ball.
-pub fn pairs<T: Real>() -> Vec<[[T; 3]; 2]> {
-    input::ball(SIDE).map(|pair| [pair.l.map(T::from_f64), pair.r.map(T::from_f64)]).collect()
+    /// Input of the worst error: names and exact values.
+    pub worst: String,
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sunglint::trial::{Format, Visitor};
 
-    #[test]
-    fn an_answer_that_is_no_direction_is_as_wrong_as_can_be() {
-        let mut found = Found::<3>::new();
-        found.add(angle([0.0_f32; 3], [0.0, 0.0, 1.0]), [0.0; 3]);
-        assert_eq!(found.max, f64::INFINITY);
-        assert!(angle([f32::NAN; 3], [0.0, 0.0, 1.0]).is_nan());
+    struct Errors(Kernel);
+
+    impl Visitor for Errors {
+        type Output = Measured;
+
+        fn visit<T: Real>(self) -> Measured {
+            self.0.errors::<T>(1, 4000)
+        }
+    }
+
+    /// What the tests of the library assert of a kernel.
+    fn budget(kernel: Kernel, format: Format) -> f64 {
+        let maxima = match kernel {
+            Kernel::Normalize | Kernel::Reflect => return 4.0 * format.step(),
+            Kernel::Basis => sampling::BASIS,
+            Kernel::SinCos => sampling::TURN,
+            Kernel::ConeDirection => sampling::DIRECTION[0],
+            Kernel::RelativeIlluminance => diffuse::RELATIVE[0],
+            Kernel::Lambert => diffuse::LAMBERT,
+            Kernel::SoftShadow => return shadow::budget(format, 0, DIRECTIONS),
+            Kernel::Irradiance => return Formula::Irradiance.maximum(format),
+            Kernel::Flux => return Formula::Flux.maximum(format),
+            Kernel::SphereLight => return Formula::SmallSphere.maximum(format),
+            Kernel::RelativeToPeak => blackbody::RELATIVE[0],
+            Kernel::Tint => blackbody::TINT,
+        };
+        maxima[format as usize]
     }
 
     #[test]
-    fn errors_are_about_a_step_of_the_format() {
+    fn errors_are_those_that_the_library_promises() {
         for kernel in Kernel::ALL {
-            let error = kernel.errors::<f32>(1, 1000);
-            assert!(error.max > 1e-9 && error.max < 1e-6, "{} {}", kernel.name(), error.max);
-            assert!(error.rms < error.max && error.samples == 1000);
+            for format in Format::ALL {
+                let (found, budget) = (format.visit(Errors(kernel)), budget(kernel, format));
+                let name = format!("{} in {}: {} of {budget}", kernel.name(), format.name(), found.max);
+                assert!(found.max <= budget && found.max > budget / 10.0, "{name}");
+                assert!(found.rms < found.max && found.samples >= 40, "{name}");
+            }
         }
+    }
+
+    #[test]
+    fn a_worst_case_has_a_name_for_each_number() {
+        let worst = Kernel::Irradiance.errors::<f32>(1, 100).worst;
+        let names: Vec<_> = worst.split(", ").filter_map(|part| part.split(' ').next()).collect();
+        assert_eq!(names, ["intensity", "distance", "cos"]);
+    }
+
+    #[test]
+    fn groups_follow_each_other() {
+        let groups = Kernel::ALL.map(|kernel| kernel.group() as usize);
+        assert!(groups.is_sorted());
     }
 }

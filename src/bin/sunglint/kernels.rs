@@ -4,10 +4,9 @@ use indicatif::ProgressBar;
 use sunglint::Real;
 use sunglint::trial::{Format, Light, Visitor, lights};
 
-use crate::clock::{self, Batch, Contender, batch};
+use crate::clock::{self, Contender};
 use crate::directions;
-use crate::kernel::{Kernel, Measured, pairs};
-use crate::measure::bits;
+use crate::kernel::{Kernel, Measured};
 use crate::options::Options;
 use crate::result::KernelRow;
 use crate::workers;
@@ -41,12 +40,7 @@ pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<KernelRow> {
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [KernelRow], options: &Options, progress: &ProgressBar) {
     progress.set_message("timing, building blocks");
-    let contenders: Vec<_> = of_all()
-        .map(|(kernel, format)| {
-            let build = |kernel| format.visit(Build { kernel });
-            Contender { call: build(Some(kernel)), empty: build(None), inputs: pairs::<f64>().len() }
-        })
-        .collect();
+    let contenders: Vec<_> = of_all().map(|(kernel, format)| format.visit(Calls { kernel })).collect();
     let [sun, ..]: [Light; 5] = lights::STUDY;
     let costs = clock::costs(&contenders, &directions::baseline(&sun), rounds(options), progress);
     for (row, cost) in rows.iter_mut().zip(costs) {
@@ -54,19 +48,15 @@ pub fn add_costs(rows: &mut [KernelRow], options: &Options, progress: &ProgressB
     }
 }
 
-/// A batch of a kernel's calls, or of empty ones.
-struct Build {
-    kernel: Option<Kernel>,
+struct Calls {
+    kernel: Kernel,
 }
 
-impl Visitor for Build {
-    type Output = Batch;
+impl Visitor for Calls {
+    type Output = Contender;
 
-    fn visit<T: Real>(self) -> Batch {
-        match self.kernel {
-            Some(kernel) => kernel.calls::<T>(),
-            None => batch(pairs::<T>(), |&[a, _]| a),
-        }
+    fn visit<T: Real>(self) -> Contender {
+        self.kernel.calls::<T>()
     }
 }
 
@@ -84,6 +74,7 @@ impl Visitor for Judge<'_> {
         let count = PAIRS[usize::from(self.options.quick)];
         let Measured { max, rms, samples, worst } = self.kernel.errors::<T>(self.options.seed, count);
         KernelRow {
+            group: self.kernel.group().name().to_owned(),
             kernel: self.kernel.name().to_owned(),
             unit: self.kernel.unit().to_owned(),
             format: self.format.name().to_owned(),
@@ -93,7 +84,7 @@ impl Visitor for Judge<'_> {
             error_max: max,
             error_rms: rms,
             samples,
-            worst_input: bits(self.format, &worst),
+            worst_input: worst,
         }
     }
 }

@@ -1,5 +1,7 @@
 //! How numbers are written for people.
 
+use crate::clock;
+
 /// Two figures, with a power of ten unless they are short without: `3.9e-4`, `0.99`, `NaN`, `infinite` or `0`.
 pub fn scientific(value: f64) -> String {
     match value {
@@ -30,9 +32,9 @@ pub fn percent(part: f64, whole: f64) -> String {
     }
 }
 
-/// Cost over that of f32 `factored`, to two decimals.
+/// Cost over that of f32 `factored`, to two decimals; with a sign where the clock could not tell.
 pub fn cost(value: f64) -> String {
-    format!("{value:.2}")
+    if value <= clock::LEAST { format!("≤{value:.2}") } else { format!("{value:.2}") }
 }
 
 /// Median and quartiles of a cost.
@@ -87,6 +89,11 @@ mod tests {
     fn two_digits_are_left() {
         assert_eq!([1.26e-5, 0.0, 994.0, f64::INFINITY].map(two_digits), [1.3e-5, 0.0, 990.0, f64::INFINITY]);
         assert!(two_digits(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn a_cost_that_the_clock_cannot_tell_says_so() {
+        assert_eq!([1.0 / 16.0, 0.07, 12.0].map(cost), ["≤0.06", "0.07", "12.00"]);
     }
 
     #[test]

@@ -110,7 +110,8 @@ fn origin(study: &Study) -> String {
          empty call: the median over the \
          rounds, as a multiple of the time of f32 <code>factored</code> in the same round, with the \
          quartiles beside it. Every worst case is given with the raw bits of its input (the first input, where no answer is a \
-         direction), so that it can be computed again. The same numbers lie next to this page in <code>results.csv</code>, \
+         direction), or in exact decimals for building blocks, so that it can be computed again (of soft_shadow the scene without the \
+ direction to its light). The same numbers lie next to this page in <code>results.csv</code>, \
          <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code> and, all together, in \
          <code>results.json</code>, the first charts in <code>chart.svg</code> and <code>pixels.svg</code>.</p>",
         escape(&study.version),

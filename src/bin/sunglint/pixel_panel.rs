@@ -17,7 +17,7 @@ pub fn field(rows: &[&PixelRow], error: PixelError) -> Field {
     let on_frontier = frontier::members(rows, |_| String::new(), |row| error.standing(row));
     Field {
         title: format!("{} {} error of a lit pixel", error.mean.adjective(), error.kind.name()),
-        subtitle: error.against().to_owned(),
+        subtitle: subtitle(error),
         call: "pixel",
         error_axis: "error relative to the pixel".to_owned(),
         per_cent: None,
@@ -25,6 +25,17 @@ pub fn field(rows: &[&PixelRow], error: PixelError) -> Field {
         points: rows.iter().zip(on_frontier).map(|(row, on_frontier)| point(row, error, on_frontier)).collect(),
         lines,
     }
+}
+
+/// What the error is against, and what the lines mean.
+fn subtitle(error: PixelError) -> String {
+    match error.kind {
+        ErrorKind::Total => {
+            "against the BRDF integrated over the disc; dashed: the model’s part, which no precision removes"
+        }
+        ErrorKind::Arithmetic => error.against(),
+    }
+    .to_owned()
 }
 
 /// The model error of each method, which no precision removes.

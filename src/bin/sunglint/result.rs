@@ -160,6 +160,8 @@ pub struct LobeRow {
 /// One building block in one number format.
 #[derive(Clone, Debug, Serialize)]
 pub struct KernelRow {
+    /// What it is for, such as `Colour`.
+    pub group: String,
     /// Name of the function.
     pub kernel: String,
     /// What its errors are in.
@@ -178,7 +180,7 @@ pub struct KernelRow {
     pub error_rms: f64,
     /// Inputs that were tried.
     pub samples: u64,
-    /// Raw bits of the input at the worst error, in hexadecimal.
+    /// Input at the worst error: names and exact values.
     pub worst_input: String,
 }
 

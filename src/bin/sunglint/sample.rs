@@ -113,6 +113,7 @@ pub fn lobe(method: &str, alpha: f64) -> LobeRow {
 /// A building block.
 pub fn kernel(format: &str, error: f64) -> KernelRow {
     KernelRow {
+        group: "Directions".to_owned(),
         kernel: "normalize".to_owned(),
         unit: "rad".to_owned(),
         format: format.to_owned(),
@@ -122,7 +123,7 @@ pub fn kernel(format: &str, error: f64) -> KernelRow {
         error_max: error,
         error_rms: error * 0.4,
         samples: 1000,
-        worst_input: "3f800000 00000000 00000000".to_owned(),
+        worst_input: "v.x 0.25, v.y 0.5, v.z 0.125".to_owned(),
     }
 }
 

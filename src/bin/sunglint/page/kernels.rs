@@ -1,54 +1,64 @@
 //! The section of the page about building blocks.
 
-use super::cells::{self, bits, cell, count, scientific, sortable, text};
+use super::cells::{self, cell, count, scientific, sortable, text};
 use crate::chart;
+use crate::kernel::Kernel;
 use crate::kernel_panel;
 use crate::key::{Key, in_order};
 use crate::mean::Mean;
 use crate::number;
 use crate::result::{KernelRow, Study};
 
-const INTRODUCTION: &str = "<p>What a lit pixel is made of, each part by itself: its error against f64 at the inputs as they were \
-rounded into the format, and its cost. In f64 the errors are the truth’s own rounding as much.</p>";
+const INTRODUCTION: &str = "<p>What a lit pixel and its light are made of, each part by itself, at the Sun from Earth: its \
+error against f64 at the inputs as they were rounded into the format, and its cost. What an error is relative to stands under \
+each chart. In f64 the errors are the truth’s own rounding as much. Costs of 1/16 and less count as 1/16: the clock cannot tell them from nothing.</p>\
+<p>Where a format cannot hold a quantity, all formats compute its normalised form. f16 ends at 65 504 and is subnormal below \
+6.1e-5, and in SI units the Sun’s radiance peaks at 2.6e13: so Planck’s law is over its peak, a colour over the brightest of its \
+levels, temperatures are in kilokelvins and wavelengths in micrometres. Of radiance 1 the Sun gives 6.8e-5: so what a plane gets is \
+over what a plane gets that faces it, and a shadow is a share of the disc. Fixed point ends at 2 (I2F14, I2F30) or 32 768 \
+(I16F16), and holds directions only: brightness is computed with 31 bits and an exponent, hence errors alike in all three, \
+and kept as a light level, U16F16 or U32F32, which rounds once more.</p>";
 
-const COLUMNS: [&str; 9] = [
-    "function",
-    "format",
-    "unit",
-    "cost",
-    "cost quartiles",
-    "error max",
-    "error rms",
-    "tried",
-    "worst input, raw bits",
-];
+const COLUMNS: [&str; 10] =
+    ["group", "function", "format", "unit", "cost", "cost quartiles", "error max", "error rms", "tried", "worst input"];
 
 /// Width and height of a panel, of which several stand side by side.
 const PANEL: (f64, f64) = (430.0, 340.0);
 
-/// A small chart for each function and a table of all.
+/// A small chart for each function, by groups, and a table of all.
 pub fn all(study: &Study) -> String {
     let rows = &study.kernels;
-    let names = in_order(rows.iter().map(|row| &row.kernel));
-    let key = Key::new(rows.iter().map(|row| [&row.kernel, &row.format]));
-    let group = |mean: Mean| {
-        let panels: String = names.iter().map(|name| panel(rows, name, mean, &key)).collect();
-        format!("<figure class=\"several\" data-mean=\"{}\">{panels}</figure>\n", mean.name())
-    };
+    // One shape for all, as each function has a panel of its own.
+    let key = Key { methods: Vec::new(), ..Key::new(rows.iter().map(|row| [&row.kernel, &row.format])) };
     let choice = cells::form(&cells::radio("Error", "mean", &Mean::ALL.map(Mean::name)));
+    let groups: String =
+        in_order(rows.iter().map(|row| &row.group)).iter().map(|name| group(rows, name, &key)).collect();
     let lines: String = rows.iter().map(line).collect();
-    format!("{INTRODUCTION}\n{choice}{}{}", Mean::ALL.map(group).concat(), sortable("blocks", &COLUMNS, &lines))
+    format!("{INTRODUCTION}\n{choice}{groups}<h3>All measurements</h3>\n{}", sortable("blocks", &COLUMNS, &lines))
 }
 
-fn panel(rows: &[KernelRow], name: &str, mean: Mean, key: &Key) -> String {
-    let rows: Vec<_> = rows.iter().filter(|row| row.kernel == name).collect();
+/// The charts of a group, those of one mean in a figure.
+fn group(rows: &[KernelRow], group: &str, key: &Key) -> String {
+    let rows: Vec<_> = rows.iter().filter(|row| row.group == group).collect();
+    let names = in_order(rows.iter().map(|row| &row.kernel));
+    let figure = |mean: Mean| {
+        let panels: String = names.iter().map(|name| panel(&rows, name, mean, key)).collect();
+        format!("<figure class=\"several\" data-mean=\"{}\">{panels}</figure>\n", mean.name())
+    };
+    format!("<h3>{}</h3>\n{}", cells::escape(group), Mean::ALL.map(figure).concat())
+}
+
+fn panel(rows: &[&KernelRow], name: &str, mean: Mean, key: &Key) -> String {
+    let rows: Vec<_> = rows.iter().copied().filter(|row| row.kernel == name).collect();
+    let about = Kernel::ALL.into_iter().find(|kernel| kernel.name() == name).map_or("", Kernel::about);
     let name = format!("{name}: {} error against cost", mean.name());
     let svg = chart::small_panel(&kernel_panel::field(&rows, mean), key, PANEL, &name);
-    format!("<div>{svg}</div>")
+    format!("<div>{svg}<p>{}</p></div>", cells::escape(about))
 }
 
 fn line(row: &KernelRow) -> String {
     let cells = [
+        text(&row.group),
         text(&row.kernel),
         text(&row.format),
         text(&row.unit),
@@ -57,7 +67,7 @@ fn line(row: &KernelRow) -> String {
         scientific(row.error_max),
         scientific(row.error_rms),
         count(row.samples),
-        bits(&row.worst_input),
+        text(&row.worst_input),
     ];
     format!("<tr>{}</tr>\n", cells.concat())
 }

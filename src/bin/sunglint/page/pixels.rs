@@ -12,9 +12,11 @@ use crate::result::{PixelRow, Study};
 
 const INTRODUCTION: &str = "<p>A lit pixel is the whole radiance that a surface sends to the viewer: diffuse part (albedo 0.2) and \
 highlight (GGX, height-correlated Smith, Schlick with a reflectance of 0.04) under one light. Errors are relative to the pixel’s \
-true value, over pixels from the middle of the highlight to ten of its widths beside it. The <strong>dashed lines</strong> are \
-the model errors of the methods, the error of their formulas in exact arithmetic against the BRDF integrated over the disc: \
-<strong>under its method’s line more precision buys nothing</strong>. In the total, arithmetic and model error are \
+true value, over pixels from the middle of the highlight to ten of its widths beside it. The <strong>dashed lines</strong> in the \
+charts of the total error, each with its method’s name at its right end, are model errors: the error of a method’s formula in \
+exact arithmetic against the BRDF integrated over the disc. No mark can lie under its method’s line, and <strong>where a mark \
+stands on its line, more precision buys nothing</strong>: only \
+another method does. In the total, arithmetic and model error are \
 combined as the root of the sum of their squares, and on its frontier stands only what gains in the first two digits.</p>\
 <dl><dt>none</dt><dd>GGX at the disc’s point nearest to the mirror ray: too bright, as the light’s energy is counted at every \
 point.</dd>\
@@ -23,7 +25,8 @@ point.</dd>\
 <dt>disc_ggx, disc_ggx dir</dt><dd>GGX averaged over the disc in closed form, the disc in the half vectors taken for a circle \
 or for an ellipse.</dd>\
 <dt>cone_ggx, cone_ggx shifted</dt><dd>GGX integrated over the exact cone of half vectors, the rest of the BRDF taken at the disc’s centre, \
-or between that and the point nearest to the mirror ray.</dd></dl>";
+or between that and the point nearest to the mirror ray. The root of a cubic is found by two steps; what they leave counts as \
+arithmetic error, in f64 too.</dd></dl>";
 
 const COLUMNS: [&str; 16] = [
     "case",
