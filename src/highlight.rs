@@ -89,18 +89,6 @@ pub(crate) const HALF: Constant = Constant::new(0.5);
 /// 1/pi.
 pub(crate) const INVERSE_PI: Constant = Constant::new(core::f64::consts::FRAC_1_PI);
 
-/// `sqrt(a^2 + b^2)` of numbers that are not negative, without their squares.
-#[inline]
-pub(crate) fn hypotenuse<S: Scalar>(a: S, b: S) -> S {
-    let (great, small) = if a > b { (a, b) } else { (b, a) };
-    if great > S::ZERO {
-        let ratio = small / great;
-        great * (S::ONE + ratio * ratio).root()
-    } else {
-        S::ZERO
-    }
-}
-
 /// Sine and versine of a disc; of half the sky where it is more than that.
 pub(crate) fn extent<T: Real>(sphere: &DistantSphere<T>) -> [T::Scalar; 2] {
     let [sin, versine] = [sphere.sin(), sphere.versine()].map(T::scalar);

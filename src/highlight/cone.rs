@@ -97,7 +97,7 @@ impl<S: Scalar> Cone<S> {
         }
         let [first, second] = self.opening;
         // Between the two: the root of the product of their arithmetic and harmonic means.
-        let pole = ((along * first + across * second) / (along / first + across / second)).root();
+        let pole = (first * ((along * first + across * second) / (along * second + across * first)) * second).root();
         // Not a number where there is no disc.
         let pole = if pole > S::ZERO { pole } else { S::ZERO };
         // Each step doubles the digits that are right.
@@ -105,20 +105,18 @@ impl<S: Scalar> Cone<S> {
         self.step(width, self.step(width, near))
     }
 
-    /// A better root from `y`: one pole with the value and the slope that the two have there.
+    /// A better root from `y`: one pole with the value and the slope that the two have there. It lies between them.
     #[inline]
     fn step(&self, width: &Width<S>, y: S) -> S {
-        let [along, across] = self.tilt;
-        let [first, second] = [y + self.opening[0], y + self.opening[1]];
-        let [along, across] = [along / first, across / second];
-        let value = along + across;
-        let fall = along * (y / first) + across * (y / second);
-        if !positive(fall) {
+        let [first, second] = self.opening.map(|opening| S::ONE / (y + opening));
+        let [along, across] = [self.tilt[0] * first, self.tilt[1] * second];
+        let [near, far] = [along * first, across * second];
+        let weight = near + far;
+        if !positive(weight) {
             return y;
         }
-        let slope = along * (self.opening[0] / first) + across * (self.opening[1] / second);
-        let pole = y * (slope / fall);
-        self.one_pole(width, value * (y + pole), pole)
+        let pole = (near * self.opening[0] + far * self.opening[1]) / weight;
+        self.one_pole(width, (along + across) * (y + pole), pole)
     }
 
     /// The root where `phi` is `height y / (y + pole)`.
@@ -131,7 +129,7 @@ impl<S: Scalar> Cone<S> {
         let lead = self.rest + height * width.width * width.width;
         let linear = self.rest * pole - a - height;
         let quarter = (lead * (a * pole)).root();
-        let size = super::hypotenuse(if linear < zero { zero - linear } else { linear }, quarter + quarter);
+        let size = S::hypotenuse(if linear < zero { zero - linear } else { linear }, quarter + quarter);
         if linear < zero {
             // Farther out than a tilt may be, where nothing of the highlight is left.
             at_most((size - linear) / (lead + lead), S::constant(TILT_LIMIT))
@@ -155,19 +153,15 @@ impl<S: Scalar> Cone<S> {
             return self.mirrored(width);
         }
         let y = self.root(width);
-        let [along, across] = self.tilt;
-        let [first, second] = [y + self.opening[0], y + self.opening[1]];
-        let [near, far] = [along / first, across / second];
+        let sums = self.opening.map(|opening| y + opening);
+        let [first, second] = sums.map(|sum| S::ONE / sum);
+        let [near, far] = [self.tilt[0] * first, self.tilt[1] * second];
         let square = width.width * width.width;
         let density = self.rest + self.smooth * ((near + far) * y * square);
-        let widen = |tilt: S, sum: S, opening: S| tilt * (y * (y / sum)) * (S::ONE + opening * square);
+        let widen = |share: S, inverse: S, opening: S| share * (y * (y * inverse)) * (S::ONE + opening * square);
         let spread = a + self.smooth * (widen(near, first, self.opening[0]) + widen(far, second, self.opening[1]));
-        width.inverse * a
-            / spread
-            / density.root()
-            / (self.along * first).root()
-            / (self.across * second).root()
-            / self.along
+        let roots = (self.along * sums[0]).root() * (self.across * sums[1]).root() * density.root();
+        width.inverse * a / spread / (roots * self.along)
     }
 
     /// The same for `alpha = 0`: whether `n` is in the cone of half vectors.

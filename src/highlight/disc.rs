@@ -1,7 +1,7 @@
 //! GGX averaged over the disc, in closed form where the disc is seen as a circle.
 
 use super::microfacet::{smith, upright};
-use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, extent, hypotenuse, positive};
+use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, extent, positive};
 use crate::real::{Halfway, Real, Scalar};
 use crate::sphere::DistantSphere;
 
@@ -41,7 +41,7 @@ impl<S: Scalar> Width<S> {
         // sqrt(w / 2) is x / sqrt(2 (1 + cos)): neither is subnormal in f16.
         let cosine = S::ONE - versine;
         let half = sin / (S::ONE + S::ONE + cosine + cosine).root();
-        let width = hypotenuse(alpha, half);
+        let width = S::hypotenuse(alpha, half);
         if !positive(width) {
             return Self { alpha, alpha_square: S::ZERO, versine, disc: S::ZERO, width, inverse: S::ZERO };
         }
@@ -88,7 +88,7 @@ impl<T: Real> DiscGgx<T> {
         };
         let p = rough + m - along;
         let root = (rough * circle).root();
-        let size = hypotenuse(if p < zero { zero - p } else { p }, root + root);
+        let size = T::Scalar::hypotenuse(if p < zero { zero - p } else { p }, root + root);
         if !positive(size) {
             return zero;
         }

@@ -1,6 +1,6 @@
 //! What every highlight shares: shadowing by Smith, reflectance by Schlick.
 
-use super::{HALF, hypotenuse};
+use super::HALF;
 use crate::real::{Constant, Scalar};
 
 /// `V (n.l)`: the height-correlated Smith visibility `1 / (2 ((n.l) L(n.v) + (n.v) L(n.l)))`, with `L(c) =
@@ -17,7 +17,7 @@ pub fn smith<S: Scalar>(n_dot_l: S, n_dot_v: S, alpha: S) -> S {
         return S::ZERO;
     }
     let smooth = ((S::ONE - alpha) * (S::ONE + alpha)).root();
-    let [toward_light, toward_viewer] = [n_dot_l, n_dot_v].map(|cosine| hypotenuse(alpha, smooth * cosine));
+    let [toward_light, toward_viewer] = [n_dot_l, n_dot_v].map(|cosine| S::hypotenuse(alpha, smooth * cosine));
     S::constant(HALF) / (toward_viewer + n_dot_v * (toward_light / n_dot_l))
 }
 

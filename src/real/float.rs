@@ -83,6 +83,11 @@ impl Scalar for f64 {
     }
 
     #[inline]
+    fn hypotenuse(a: Self, b: Self) -> Self {
+        (a * a + b * b).root()
+    }
+
+    #[inline]
     fn from_q31(bits: u32) -> Self {
         f64::from(bits) / Q31 as f64
     }
@@ -141,6 +146,11 @@ impl Scalar for f32 {
     #[inline]
     fn root(self) -> Self {
         libm::sqrtf(self)
+    }
+
+    #[inline]
+    fn hypotenuse(a: Self, b: Self) -> Self {
+        (a * a + b * b).root()
     }
 
     #[inline]

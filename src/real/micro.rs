@@ -33,6 +33,11 @@ impl Scalar for F32 {
     }
 
     #[inline]
+    fn hypotenuse(a: Self, b: Self) -> Self {
+        (a * a + b * b).root()
+    }
+
+    #[inline]
     fn from_q31(bits: u32) -> Self {
         F32(f32::from_q31(bits))
     }

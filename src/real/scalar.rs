@@ -34,6 +34,19 @@ pub trait Scalar:
     /// The square root; zero for zero, NaN or zero for negatives.
     fn root(self) -> Self;
 
+    /// `sqrt(a^2 + b^2)` of numbers that are not negative. Without their squares, which in a format of few exponents may
+    /// leave its range; formats that have enough of them add the squares.
+    #[inline]
+    fn hypotenuse(a: Self, b: Self) -> Self {
+        let (great, small) = if a > b { (a, b) } else { (b, a) };
+        if great > Self::ZERO {
+            let ratio = small / great;
+            great * (Self::ONE + ratio * ratio).root()
+        } else {
+            Self::ZERO
+        }
+    }
+
     /// `bits / 2^31`, to nearest: how integers become fractions of 1, as no cast of a narrow format can.
     fn from_q31(bits: u32) -> Self;
 

@@ -240,4 +240,9 @@ impl Scalar for Scaled {
     fn to_q31(self) -> u32 {
         u32::try_from(self.to_unsigned(31)).unwrap_or(u32::MAX)
     }
+
+    #[inline]
+    fn hypotenuse(a: Self, b: Self) -> Self {
+        (a * a + b * b).root()
+    }
 }

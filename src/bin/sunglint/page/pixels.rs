@@ -25,8 +25,8 @@ point.</dd>\
 <dt>disc_ggx, disc_ggx dir</dt><dd>GGX averaged over the disc in closed form, the disc in the half vectors taken for a circle \
 or for an ellipse.</dd>\
 <dt>cone_ggx, cone_ggx shifted</dt><dd>GGX integrated over the exact cone of half vectors, the rest of the BRDF taken at the disc’s centre, \
-or between that and the point nearest to the mirror ray. The root of a cubic is found by two steps; what they leave counts as \
-arithmetic error, in f64 too.</dd></dl>";
+or between that and the point nearest to the mirror ray. The root of a cubic is found by three steps; what they leave, which is \
+below 1e-8 of a pixel, counts as arithmetic error, in f64 too.</dd></dl>";
 
 const COLUMNS: [&str; 16] = [
     "case",
