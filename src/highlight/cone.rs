@@ -98,8 +98,8 @@ impl<S: Scalar> Cone<S> {
         let [first, second] = self.opening;
         // Between the two: the root of the product of their arithmetic and harmonic means.
         let pole = (first * ((along * first + across * second) / (along * second + across * first)) * second).root();
-        // Not a number where there is no disc.
-        let pole = if pole > S::ZERO { pole } else { S::ZERO };
+        // Where f16 has no digits left for a small disc the quotient may be anything.
+        let pole = at_most(pole, second);
         // Each step doubles the digits that are right.
         let near = self.step(width, self.one_pole(width, tilt, pole));
         self.step(width, self.step(width, near))
