@@ -20,6 +20,9 @@
 //! highlight: the worst of `alpha` from 5e-4 to 1, and 0 but for `none` (`tests/lobe.rs`). Arithmetic errors of whole
 //! pixels in each format are the budgets of `trial::gloss`, asserted in `tests/gloss.rs`.
 //!
+//! A light beyond half the sky counts as half the sky, which gives a surface that faces it the same illuminance and almost the
+//! same highlight: of a lobe that points away from the horizon neither sees the other half (`tests/highlight_failures.rs`).
+//!
 //! `1 - (n.h)^2` is never formed by subtraction. Nothing overflows: a method works in units of its highlight's own
 //! width, and the peak `1 / (pi alpha^2)`, which f16 cannot hold, is multiplied in a width at a time.
 //!
@@ -41,6 +44,7 @@ pub use microfacet::{schlick, smith};
 pub use point::PointGgx;
 
 use crate::real::{Constant, Real, Scalar};
+use crate::sphere::DistantSphere;
 
 /// A method of shading a glossy surface of one roughness under one light, its constants computed.
 pub trait Highlight<T: Real>: Copy {
@@ -79,6 +83,12 @@ pub(crate) const HALF: Constant = Constant::new(0.5);
 
 /// 1/pi.
 pub(crate) const INVERSE_PI: Constant = Constant::new(core::f64::consts::FRAC_1_PI);
+
+/// Sine and versine of a light's angular radius; those of half the sky for all beyond, whose sine falls again.
+#[inline]
+pub(crate) fn extent<T: Real>(sphere: &DistantSphere<T>) -> [T::Scalar; 2] {
+    if sphere.cos() < T::WIDE_ZERO { [T::Scalar::ONE; 2] } else { [sphere.sin(), sphere.versine()].map(T::scalar) }
+}
 
 /// `sqrt(a^2 + b^2)` of numbers that are not negative, without their squares.
 #[inline]

@@ -1,7 +1,8 @@
 //! GGX averaged over the disc, in closed form where the disc is seen as a circle.
 
 use super::microfacet::{schlick, smith, upright};
-use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, hypotenuse, positive};
+use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, extent, hypotenuse, positive};
+use crate::product::finite;
 use crate::real::{Halfway, Real, Scalar};
 use crate::sphere::DistantSphere;
 
@@ -37,10 +38,10 @@ pub(super) struct Width<S> {
 
 impl<S: Scalar> Width<S> {
     pub(super) fn of<T: Real<Scalar = S>>(sphere: &DistantSphere<T>, alpha: S) -> Self {
-        let versine = T::scalar(sphere.versine());
+        let [sine, versine] = extent(sphere);
         // sqrt(w / 2) is x / sqrt(2 (1 + cos)): neither is subnormal in f16.
         let cosine = S::ONE - versine;
-        let half = T::scalar(sphere.sin()) / (S::ONE + S::ONE + cosine + cosine).root();
+        let half = sine / (S::ONE + S::ONE + cosine + cosine).root();
         let width = hypotenuse(alpha, half);
         if !positive(width) {
             return Self { alpha, alpha_square: S::ZERO, versine, disc: S::ZERO, width, inverse: S::ZERO };
@@ -114,7 +115,7 @@ impl<T: Real> Highlight<T> for DiscGgx<T> {
         let shape = self.shape(&halfway, v_dot_h, upright(n_dot_l, n_dot_v, halfway.v_dot_h_square));
         // The mean over the disc is per solid angle, illuminance per projected one: pi x^2 = 2 pi w (1 - w/2).
         let facing = T::Scalar::ONE - self.width.versine * T::Scalar::constant(HALF);
-        let level = visibility * shape * T::Scalar::constant(INVERSE_PI) / facing;
+        let level = finite(visibility * shape * T::Scalar::constant(INVERSE_PI) / facing);
         Gloss { level, gain: self.width.inverse, fresnel: schlick(v_dot_h) }
     }
 }

@@ -1,7 +1,8 @@
 //! GGX at one point of the disc, with a factor that keeps the energy.
 
 use super::microfacet::{schlick, smith, upright};
-use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, positive};
+use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, extent, positive};
+use crate::product::finite;
 use crate::real::{Constant, Real, Scalar};
 use crate::specular::{cap, reflect};
 use crate::sphere::DistantSphere;
@@ -50,7 +51,8 @@ impl<T: Real> PointGgx<T> {
     /// The factor that makes the energy right at normal incidence for small angles: `1 / (1 + (pi/2) t + t^2)` with
     /// `t = x / (2 alpha)`.
     pub fn exact_rp(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
-        let half = T::scalar(sphere.sin()) * T::Scalar::constant(HALF);
+        let [sine, _] = extent(sphere);
+        let half = sine * T::Scalar::constant(HALF);
         // b^2 = alpha^2 + (pi/2) alpha (x/2) + (x/2)^2, whose terms would be subnormal in f16.
         let (great, small) = if alpha > half { (alpha, half) } else { (half, alpha) };
         let ratio = if great > T::Scalar::ZERO { small / great } else { T::Scalar::ZERO };
@@ -59,7 +61,8 @@ impl<T: Real> PointGgx<T> {
     }
 
     fn widened(sphere: &DistantSphere<T>, alpha: T::Scalar, share: T::Scalar) -> Self {
-        let width = alpha + T::scalar(sphere.sin()) * share;
+        let [sine, _] = extent(sphere);
+        let width = alpha + sine * share;
         Self::of_width(sphere, alpha, at_most(width, T::Scalar::ONE))
     }
 
@@ -89,7 +92,7 @@ impl<T: Real> Highlight<T> for PointGgx<T> {
         } else {
             T::Scalar::ZERO
         };
-        let level = visibility * shape * T::Scalar::constant(INVERSE_PI);
+        let level = finite(visibility * shape * T::Scalar::constant(INVERSE_PI));
         Gloss { level, gain: self.gain, fresnel: schlick(halfway.v_dot_h_square.root()) }
     }
 }
