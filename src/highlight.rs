@@ -43,7 +43,7 @@ pub use energy::{exact_rp_q30, karis_q30};
 pub use microfacet::{schlick, smith};
 pub use point::PointGgx;
 
-use crate::real::{Constant, Real, Scalar};
+use crate::real::{HALF, INVERSE_PI, Real, Scalar, at_most, hypotenuse, positive};
 use crate::sphere::DistantSphere;
 
 /// A method of shading a glossy surface of one roughness under one light, its constants computed.
@@ -78,38 +78,8 @@ impl<S: Scalar> Gloss<S> {
     }
 }
 
-/// 1/2.
-pub(crate) const HALF: Constant = Constant::new(0.5);
-
-/// 1/pi.
-pub(crate) const INVERSE_PI: Constant = Constant::new(core::f64::consts::FRAC_1_PI);
-
 /// Sine and versine of a light's angular radius; those of half the sky for all beyond, whose sine falls again.
 #[inline]
 pub(crate) fn extent<T: Real>(sphere: &DistantSphere<T>) -> [T::Scalar; 2] {
     if sphere.cos() < T::WIDE_ZERO { [T::Scalar::ONE; 2] } else { [sphere.sin(), sphere.versine()].map(T::scalar) }
-}
-
-/// `sqrt(a^2 + b^2)` of numbers that are not negative, without their squares.
-#[inline]
-pub(crate) fn hypotenuse<S: Scalar>(a: S, b: S) -> S {
-    let (great, small) = if a > b { (a, b) } else { (b, a) };
-    if great > S::ZERO {
-        let ratio = small / great;
-        great * (S::ONE + ratio * ratio).root()
-    } else {
-        S::ZERO
-    }
-}
-
-/// Whether a number is above zero; false for NaN.
-#[inline]
-pub(crate) fn positive<S: Scalar>(value: S) -> bool {
-    value > S::ZERO
-}
-
-/// The lesser of two numbers; `limit` where `value` is NaN.
-#[inline]
-pub(crate) fn at_most<S: Scalar>(value: S, limit: S) -> S {
-    if value < limit { value } else { limit }
 }
