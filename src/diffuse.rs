@@ -32,11 +32,8 @@
 //! (`trial::diffuse::VECTORS`): f32 1.4e-4, I2F30 1.6e-6, I16F16 0.024, I2F14 0.11, f16 0.88. So f16 knows that the
 //! Sun sets, but not when; from a ratio of 0.05 on it is within 0.1.
 
-use crate::real::{Constant, Real, Scalar};
+use crate::real::{Constant, INVERSE_PI, Real, Scalar, within_one};
 use crate::sphere::DistantSphere;
-
-/// 1/pi.
-const INVERSE_PI: Constant = Constant::new(core::f64::consts::FRAC_1_PI);
 
 /// Pi.
 const PI: Constant = Constant::new(core::f64::consts::PI);
@@ -86,7 +83,7 @@ const MEAN: [Constant; 11] = [
 /// ```
 #[inline]
 pub fn lambert<T: Real>(albedo: T, illuminance: T::Level, n_dot_l: T::Wide) -> T::Level {
-    matt::<T>(albedo, illuminance, up_to_one(T::scalar(n_dot_l)))
+    matt::<T>(albedo, illuminance, within_one(T::scalar(n_dot_l)))
 }
 
 /// [`lambert`] with the light's true size: `albedo / pi * illuminance *` [`relative_illuminance`], so that the light
@@ -160,17 +157,11 @@ fn matt<T: Real>(albedo: T, illuminance: T::Level, share: T::Scalar) -> T::Level
     T::level(white * share * T::of_lane(albedo))
 }
 
-#[inline]
-fn up_to_one<S: Scalar>(value: S) -> S {
-    let positive = if value > S::ZERO { value } else { S::ZERO };
-    if positive < S::ONE { positive } else { S::ONE }
-}
-
 /// [`relative_illuminance`] of a disc of up to half the sky.
 #[inline]
 fn of_cap<S: Scalar>(sine: S, x: S) -> S {
     if sine >= x {
-        return up_to_one(sine);
+        return within_one(sine);
     }
     let below = sine < S::ZERO;
     let [depth, x] = [if below { S::ZERO - sine } else { sine }, x].map(|sine| sine * S::constant(SCALE));

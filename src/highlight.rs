@@ -10,17 +10,18 @@
 //! | [`PointGgx::none`] | GGX at the disc's point that [`cap`](crate::cap) finds | 29 / 53 / 140 |
 //! | [`PointGgx::karis`] | the same times `(alpha / (alpha + x/2))^2` | 0.30 / 1.0 / 4.8 |
 //! | [`PointGgx::karis_third`] | the same with `x/3` | 1.3 / 3.5 / 12 |
-//! | [`PointGgx::exact_rp`] | the same with the shape's own energy | 0.29 / 1.0 / 4.8 |
+//! | [`PointGgx::exact_rp`] | the same with the shape's own energy | 0.30 / 1.0 / 4.8 |
 //! | [`DiscGgx::new`] | GGX averaged over the disc, taken to be a circle | 1e-5 / 0.40 / 0.97 |
-//! | [`DiscGgx::directional`] | the same, the disc seen as an ellipse, nearly | 9e-6 / 0.071 / 0.38 |
+//! | [`DiscGgx::directional`] | the same, the disc seen as an ellipse, nearly | 9e-6 / 0.071 / 0.37 |
 //! | [`ConeGgx`] | GGX integrated over the cone of half vectors, exactly | 6e-6 / 2e-3 / 3e-4 |
-//! | [`ShiftedConeGgx`] | the same, the rest of the model taken beside the mirror ray under large lights | 6e-6 / 9e-4 / 3e-4 |
+//! | [`ShiftedConeGgx`] | the same, the rest of the model taken beside the mirror ray under large lights | 6e-6 / 9e-4 / 2e-4 |
 //!
 //! The model error is the difference from the BRDF integrated over the disc, integrated over all viewers, as a share of the
-//! highlight: the worst of `alpha` from 5e-4 to 1, and 0 but for `none` (`tests/lobe.rs`). Arithmetic errors of whole
+//! highlight: relative L1, the worst of `alpha` from 5e-4 to 1, and of 0 but for `none` (`tests/lobe.rs`). Arithmetic errors of whole
 //! pixels in each format are the budgets of `trial::gloss`, asserted in `tests/gloss.rs`.
 //!
-//! A disc of more than half the sky has the highlight of half the sky.
+//! A light beyond half the sky counts as half the sky, which gives a surface that faces it the same illuminance and almost the
+//! same highlight: of a lobe that points away from the horizon neither sees the other half (`tests/highlight_failures.rs`).
 //!
 //! `1 - (n.h)^2` is never formed by subtraction. Nothing overflows: a method works in units of its highlight's own
 //! width, and the peak `1 / (pi alpha^2)`, which f16 cannot hold, is multiplied in a width at a time.
@@ -42,7 +43,8 @@ pub use energy::{exact_rp_q30, karis_q30};
 pub use microfacet::{schlick, smith};
 pub use point::PointGgx;
 
-use crate::real::{Constant, Real, Scalar};
+use crate::product::finite;
+use crate::real::{HALF, INVERSE_PI, Real, Scalar, at_most, positive};
 use crate::sphere::DistantSphere;
 
 /// A method of shading a glossy surface of one roughness under one light, its constants computed.
@@ -72,7 +74,7 @@ impl<S: Scalar> Gloss<S> {
     /// A level that may have left the range of f16, and the cosine that Schlick's weight is of.
     #[inline]
     pub(crate) fn of(level: S, gain: S, v_dot_h: S) -> Self {
-        Self { level: at_most(level, S::MAX), gain, fresnel: schlick(v_dot_h) }
+        Self { level: finite(level), gain, fresnel: schlick(v_dot_h) }
     }
 
     /// Radiance towards the viewer under a light of `illuminance`, for a reflectance at normal incidence of `f0`.
@@ -83,26 +85,8 @@ impl<S: Scalar> Gloss<S> {
     }
 }
 
-/// 1/2.
-pub(crate) const HALF: Constant = Constant::new(0.5);
-
-/// 1/pi.
-pub(crate) const INVERSE_PI: Constant = Constant::new(core::f64::consts::FRAC_1_PI);
-
-/// Sine and versine of a disc; of half the sky where it is more than that.
+/// Sine and versine of a light's angular radius; those of half the sky for all beyond, whose sine falls again.
+#[inline]
 pub(crate) fn extent<T: Real>(sphere: &DistantSphere<T>) -> [T::Scalar; 2] {
-    let [sin, versine] = [sphere.sin(), sphere.versine()].map(T::scalar);
-    if versine > T::Scalar::ONE { [T::Scalar::ONE; 2] } else { [sin, versine] }
-}
-
-/// Whether a number is above zero; false for NaN.
-#[inline]
-pub(crate) fn positive<S: Scalar>(value: S) -> bool {
-    value > S::ZERO
-}
-
-/// The lesser of two numbers; `limit` where `value` is NaN.
-#[inline]
-pub(crate) fn at_most<S: Scalar>(value: S, limit: S) -> S {
-    if value < limit { value } else { limit }
+    if sphere.cos() < T::WIDE_ZERO { [T::Scalar::ONE; 2] } else { [sphere.sin(), sphere.versine()].map(T::scalar) }
 }

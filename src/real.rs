@@ -17,6 +17,7 @@ mod scaled;
 
 pub use float::Float;
 pub use scalar::{Constant, Scalar};
+pub(crate) use scalar::{HALF, INVERSE_PI, at_most, positive, within_one};
 #[cfg(feature = "fixed")]
 pub use scaled::Scaled;
 

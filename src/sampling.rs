@@ -13,11 +13,10 @@ pub use points::points;
 pub use turn::sin_cos;
 
 use crate::light::LightError;
-use crate::real::{Constant, Real, Scalar};
+use crate::real::{Constant, Real, Scalar, within_one};
 use crate::specular::finite;
 use crate::sphere::DistantSphere;
 use crate::vec3::{each, zip};
-use turn::within_one;
 
 /// The directions to a distant sphere: a cone about `l`, with all that sampling needs of it, computed once per light.
 ///

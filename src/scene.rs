@@ -22,9 +22,9 @@
 use core::fmt;
 
 use crate::diffuse::relative_illuminance;
-use crate::highlight::{ConeGgx, Gloss, Highlight, INVERSE_PI};
+use crate::highlight::{ConeGgx, Gloss, Highlight};
 use crate::material::Surface;
-use crate::real::{Constant, Real, Scalar};
+use crate::real::{Constant, INVERSE_PI, Real, Scalar};
 use crate::sphere::DistantSphere;
 
 /// A distant light where it stands: direction, size, and how bright it is.

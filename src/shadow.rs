@@ -3,7 +3,7 @@
 //! The reflected radiance is `rho / pi` times the mean of `L V cos / pdf` over directions to the light (Lehtinen,
 //! "Quantifying light", CS-E5520, 2024); the scene is the caller's, who says which directions are free.
 
-use crate::real::{Constant, Real, Scalar};
+use crate::real::{INVERSE_PI, Real, Scalar};
 use crate::sampling::{Cone, points};
 
 /// What a surface sees of a light, each a mean over directions to it.
@@ -63,10 +63,10 @@ impl<T: Real> SoftShadow<T> {
     /// faces it is `illuminance`: `rho / pi` times [`SoftShadow::cosine`] over [`Cone::mean_cosine`] times `illuminance`.
     ///
     /// That is `rho / pi` times the mean of `L V cos / pdf` for a light of radiance `L = illuminance / sizeFactor`, without
-    /// the density, which f16 cannot hold for small discs.
+    /// the density, which f16 cannot hold for small discs. Beyond half the sky, `illuminance` counts both sides of the
+    /// surface, as sizeFactor does: of 360 degrees half arrives here.
     #[inline]
     pub fn radiance(&self, albedo: T::Scalar, illuminance: T::Scalar) -> T::Scalar {
-        const INVERSE_PI: Constant = Constant::new(core::f64::consts::FRAC_1_PI);
         albedo * T::Scalar::constant(INVERSE_PI) * (self.cosine / self.mean_cosine) * illuminance
     }
 }

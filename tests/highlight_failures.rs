@@ -209,3 +209,125 @@ fn a_mirror_shows_the_sun_in_every_format() {
         assert_near(karis, 1.0, allowed);
     }
 }
+
+/// A surface of normal `(0, 0, 1)`, and a viewer who sees the light's centre mirrored in it, `degrees` off the normal.
+fn mirrored(degrees: f64) -> Pixel {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    Pixel { n: [0.0, 0.0, 1.0], v: [-sin, 0.0, cos], l: [sin, 0.0, cos] }
+}
+
+/// Where a large disc reaches to the viewer's opposite, its half vectors fit no cone, and the formula as it stands has
+/// nothing to give: yet there the highlight is brightest.
+#[test]
+fn a_large_lamp_at_grazing_incidence_is_not_black() {
+    // 12 % to 36 % is what the centre's shadowing makes of so large a disc.
+    for (ratio, alpha, degrees, most) in [
+        (0.3, 0.01, 82.0, 0.01),
+        (0.3, 0.01, 85.0, 0.02),
+        (0.5, 0.1, 75.0, 0.2),
+        (1.0, 0.1, 50.0, 0.04),
+        (1.0, 0.1, 80.0, 0.36),
+    ] {
+        let (glossy, pixel) = (Glossy { alpha, f0: 0.04, ratio }, mirrored(degrees));
+        let sphere = DistantSphere::<f64>::of(&DistantLight::from_ratio(ratio).unwrap());
+        let truth = Quadrature::<48>::new().highlight(&glossy, &pixel);
+        let cone = Shading::ConeGgx.radiance(&glossy, &sphere, [pixel.n, pixel.v, pixel.l]);
+        let error = (cone / truth - 1.0).abs();
+        println!("ratio {ratio}, alpha {alpha}, {degrees} degrees: {error:.3}");
+        assert!(error <= most && error >= most / 4.0, "{ratio} {alpha} {degrees}: {cone} {truth}");
+    }
+}
+
+/// Worst error of a method where `n`, `v` and `l` are anywhere, the latter two a degree above the surface or more, in units of
+/// the highlight's truth there or straight on, whichever is greater.
+struct Anywhere {
+    method: Shading,
+    glossy: Glossy,
+}
+
+impl Visitor for Anywhere {
+    type Output = f64;
+
+    fn visit<T: Real>(self) -> f64 {
+        let Self { method, glossy } = self;
+        let rounded = |value: f64| T::Scalar::nearest(value).exact();
+        let glossy = Glossy { alpha: rounded(glossy.alpha), f0: rounded(glossy.f0), ..glossy };
+        let sphere = DistantSphere::<T>::of(&DistantLight::from_ratio(glossy.ratio).unwrap());
+        let middle = method.truth(&glossy, &mirrored(0.0));
+        let directions = |seed| input::random(seed, 20_000, 1.0).map(|pair| pair.l.map(T::from_f64));
+        let error = |[n, v, l]: [[T; 3]; 3]| {
+            let [n, v, l] = [n, v, l].map(|vector| vector.map(T::to_f64));
+            let truth = method.truth(&glossy, &Pixel { n, v, l });
+            (method.radiance(&glossy, &sphere, [n, v, l].map(|vector| vector.map(T::from_f64))) - truth).abs()
+                / truth.max(middle)
+        };
+        let above = |n: [T; 3], direction: [T; 3]| T::scalar(T::dot(n, direction)).exact() > 0.0175;
+        let pixels = directions(1).zip(directions(2)).zip(directions(3)).map(|((n, v), l)| [n, v, l]);
+        exact::worst(pixels.filter(|&[n, v, l]| above(n, v) && above(n, l)).map(error))
+    }
+}
+
+/// A tilt of many widths times a wide opening overflows f16; what came of it was the whole peak and more, where hardly
+/// anything is.
+#[test]
+fn no_pixel_anywhere_is_brighter_than_it_should() {
+    // f16 at a degree above the surface: what rounding does to n.v there.
+    let budgets = [
+        (Shading::ConeGgx, [3.9e-5, 4.0e-5, 6.0e-5, 0.15, 9.8e-3, 3.9e-5, 5.4e-4]),
+        (Shading::Shifted, [4.0e-5, 4.1e-5, 6.3e-5, 0.24, 1.1e-2, 4.0e-5, 3.3e-3]),
+    ];
+    let sun = sunglint::SUN.sin();
+    for (method, budgets) in budgets {
+        for (format, budget) in Format::ALL.into_iter().zip(budgets) {
+            let cases = [(1e-3, sun), (0.01, sun), (0.01, 0.05), (0.1, 0.3)];
+            let errors = cases.map(|(alpha, ratio)| {
+                let glossy = Glossy { alpha, f0: 0.04, ratio };
+                format.visit(Anywhere { method, glossy })
+            });
+            exact::assert_tight(
+                &format!("{} in {}", method.name(), format.name()),
+                exact::worst(errors.into_iter()),
+                budget,
+            );
+        }
+    }
+}
+
+/// The BRDF summed over what of a disc is above the surface, over pi.
+fn summed(glossy: &Glossy, light: &DistantLight, pixel: &Pixel) -> f64 {
+    const COUNT: u32 = 40_000;
+    let lit = (0..COUNT).map(|index| {
+        let z = (f64::from(index) + 0.5) / f64::from(COUNT);
+        let turn = f64::from(index) * PI * (3.0 - 5_f64.sqrt());
+        let ring = (1.0 - z * z).sqrt();
+        let l = [ring * turn.cos(), ring * turn.sin(), z];
+        let inside = f64::dot(l, pixel.l) >= light.cos();
+        if inside { glossy.brdf(&Pixel { l, ..*pixel }) } else { 0.0 }
+    });
+    lit.sum::<f64>() * 2.0 / f64::from(COUNT)
+}
+
+/// The sine falls again beyond half the sky: by it the highlight of a light of 359 degrees was 13 000 times too bright, and that
+/// of the full sphere zero.
+#[test]
+fn beyond_half_the_sky_a_highlight_is_that_of_half() {
+    let half = DistantLight::from_angle(180.0).unwrap();
+    for angle in [181.0, 225.0, 270.0, 359.0, 360.0] {
+        let light = DistantLight::from_angle(angle).unwrap();
+        for (alpha, most) in [(0.1, 0.01), (0.5, 0.28)] {
+            let glossy = Glossy { alpha, f0: 1.0, ratio: 1.0 };
+            let mut worst = 0.0_f64;
+            for pixel in [mirrored(0.0), mirrored(37.0), Pixel { l: [0.0, 0.0, 1.0], ..mirrored(37.0) }] {
+                let of = |light| {
+                    let sphere = DistantSphere::<f64>::of(light);
+                    Shading::Shifted.radiance(&glossy, &sphere, [pixel.n, pixel.v, pixel.l])
+                };
+                worst = worst.max((of(&light) / summed(&glossy, &light, &pixel) - 1.0).abs());
+                // But for the point nearest to the mirror ray.
+                assert_near(of(&light), of(&half), 1e-12);
+            }
+            println!("{angle} degrees, alpha {alpha}: {worst:.3}");
+            assert!(worst <= most && worst >= most / 4.0, "{angle} {alpha}: {worst}");
+        }
+    }
+}

@@ -25,10 +25,13 @@ use crate::sphere::DistantSphere;
 /// + A_d) / (y + A_d)^2 + m_o (1 + A_o) / (y + A_o)^2)))`,
 ///
 /// which is GGX for `w = 0`, where `y = alpha^2 z^2 + m`. The root is found by three steps that put one pole in place of
-/// the two, which is right to 1e-8 of a pixel up to 75 degrees.
+/// the two, which is right to 1e-8 of a pixel up to 75 degrees, and anywhere to 4e-5 of the highlight.
 ///
 /// For `alpha = 0` the highlight is the sharp, elliptic image of the disc. For `x = 0` it is GGX; for both it is zero.
-/// Where the light is so low behind the surface's far side that `g <= 0`, it is zero.
+/// Where the disc reaches to the viewer's opposite (`l.v <= w - 1`: for a ratio of 0.3 on from 81 degrees of incidence and
+/// reflection, for half the sky from 45), `g` would not be positive, and half vectors lie at right angles to `v`, which fit no
+/// cone. There `g` is kept at a 30 000th of `w` over `b^2 = alpha^2 + w/2`: all that is near the plane of incidence counts,
+/// however far across.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeGgx<T: Real> {
     width: Width<T::Scalar>,
@@ -75,13 +78,17 @@ impl<S: Scalar> Cone<S> {
     fn of(width: &Width<S>, halfway: &Halfway<S>, cosine_square: S) -> Self {
         let Width { alpha, versine, disc, width, .. } = *width;
         let along = S::ONE + S::ONE - versine;
+        // No opening is greater than a tilt may be.
+        let limit = S::constant(TILT_LIMIT);
+        let least = disc / limit;
         let across = halfway.v_dot_h_square + halfway.v_dot_h_square - versine;
+        let across = if across > least { across } else { least };
         let smooth = (S::ONE - alpha) * (S::ONE + alpha);
         Self {
             across,
             along,
             tilt: [halfway.in_plane, halfway.tilt - halfway.in_plane],
-            opening: [disc / along, disc / across],
+            opening: [disc / along, at_most(disc / across, limit)],
             smooth,
             rest: cosine_square + halfway.tilt * (alpha * width) * (alpha * width),
         }
@@ -144,10 +151,6 @@ impl<S: Scalar> Cone<S> {
     /// `pi b D / (4 v.h)`.
     #[inline]
     fn shape(&self, width: &Width<S>) -> S {
-        let zero = S::ZERO;
-        if !positive(self.across) {
-            return zero;
-        }
         let a = width.alpha_square;
         if !positive(a) {
             return self.mirrored(width);
@@ -160,7 +163,7 @@ impl<S: Scalar> Cone<S> {
         let density = self.rest + self.smooth * ((near + far) * y * square);
         let widen = |share: S, inverse: S, opening: S| share * (y * (y * inverse)) * (S::ONE + opening * square);
         let spread = a + self.smooth * (widen(near, first, self.opening[0]) + widen(far, second, self.opening[1]));
-        let roots = (self.along * sums[0]).root() * (self.across * sums[1]).root() * density.root();
+        let roots = (self.along * y + width.disc).root() * (self.across * y + width.disc).root() * density.root();
         width.inverse * a / spread / (roots * self.along)
     }
 

@@ -164,12 +164,11 @@ impl Glossy {
     /// elliptic cone points along its axis.
     fn share(&self, lean: &Lean) -> f64 {
         let w = self.versine();
-        let (a, g, c) = (self.alpha * self.alpha, 2.0 * lean.v_dot_h * lean.v_dot_h - w, 2.0 - w);
+        let (a, c) = (self.alpha * self.alpha, 2.0 - w);
+        // Where the disc reaches to the viewer's opposite, the formula is that of a very wide cone.
+        let g = (2.0 * lean.v_dot_h * lean.v_dot_h - w).max(w / (a + w / 2.0) / 30_000.0);
         let (along, across) = (lean.along, lean.across);
         let m = along + across;
-        if g <= 0.0 {
-            return 0.0;
-        }
         let at_normal = w * (1.0 - m) - c * along - g * across;
         if a == 0.0 {
             return if at_normal >= 0.0 { 1.0 } else { 0.0 };

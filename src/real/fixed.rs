@@ -6,9 +6,8 @@
 
 use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 
-use super::{Halfway, Real, STEEP_COSINE, Scalar, Scaled, TILT_LIMIT};
+use super::{Halfway, Real, STEEP_COSINE, Scalar, Scaled, TILT_LIMIT, at_most, positive};
 use crate::constant;
-use crate::highlight::{at_most, positive};
 use crate::root::reciprocal_root;
 use crate::vec3::{each, zip};
 

@@ -1,7 +1,6 @@
 //! Float formats: one implementation of the seam for all of them.
 
-use super::{Constant, Halfway, Real, STEEP_COSINE, Scalar, TILT_LIMIT};
-use crate::highlight::{HALF, at_most};
+use super::{Constant, HALF, Halfway, Real, STEEP_COSINE, Scalar, TILT_LIMIT, at_most};
 use crate::vec3::{each, zip};
 
 /// A floating-point format: ordinary arithmetic, rounded at every step, and a reciprocal root.

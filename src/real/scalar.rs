@@ -93,3 +93,33 @@ impl Constant {
         self.scaled
     }
 }
+
+/// 1/2.
+pub(crate) const HALF: Constant = Constant::new(0.5);
+
+/// 1/pi.
+pub(crate) const INVERSE_PI: Constant = Constant::new(core::f64::consts::FRAC_1_PI);
+
+/// Whether a number is above zero; false for NaN.
+#[inline]
+pub(crate) fn positive<S: Scalar>(value: S) -> bool {
+    value > S::ZERO
+}
+
+/// The lesser of two numbers; `limit` where `value` is NaN.
+#[inline]
+pub(crate) fn at_most<S: Scalar>(value: S, limit: S) -> S {
+    if value < limit { value } else { limit }
+}
+
+/// The nearest number of 0 to 1; 0 for NaN.
+#[inline]
+pub(crate) fn within_one<S: Scalar>(value: S) -> S {
+    if value > S::ONE {
+        S::ONE
+    } else if value > S::ZERO {
+        value
+    } else {
+        S::ZERO
+    }
+}

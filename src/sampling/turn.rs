@@ -1,6 +1,6 @@
 //! Sine and cosine of a part of a full turn, by one polynomial each, since most formats have neither.
 
-use crate::real::{Constant, Scalar};
+use crate::real::{Constant, Scalar, within_one};
 
 /// Terms of the series for the format with most digits, f64: the first one left out is below 7e-17.
 const TERMS: usize = 9;
@@ -40,18 +40,6 @@ pub fn sin_cos<S: Scalar>(turn: S) -> [S; 2] {
     let (sin, cos) = if mirrored { (cos, sin) } else { (sin, cos) };
     let (sin, cos) = if crossed { (cos, S::ZERO - sin) } else { (sin, cos) };
     if opposite { [S::ZERO - sin, S::ZERO - cos] } else { [sin, cos] }
-}
-
-/// The nearest number of 0 to 1; 0 for NaN.
-#[inline]
-pub(super) fn within_one<S: Scalar>(value: S) -> S {
-    if value > S::ONE {
-        S::ONE
-    } else if value > S::ZERO {
-        value
-    } else {
-        S::ZERO
-    }
 }
 
 #[inline]
