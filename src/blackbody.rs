@@ -30,7 +30,7 @@ pub use relative::{relative_to_peak, relative_to_peak_frequency};
 pub use tint::tint;
 
 use crate::exponential::{complement, shrunk};
-use crate::product::{finite, quotient};
+use crate::product::{quotient, saturated};
 use crate::real::{Constant, Scalar};
 
 /// Planck's constant in J s, exact.
@@ -126,7 +126,7 @@ fn spectral<S: Scalar>(front: S, base: S, squares: [bool; 2], exponent: S) -> S 
     let half = exponent * S::constant(Constant::new(0.5));
     let part = |square: bool| shrunk(if square { base * base } else { S::ONE }, half);
     let [first, second] = squares.map(part);
-    finite(quotient([front, first, second, base], [complement(exponent)]))
+    saturated(quotient([front, first, second, base], [complement(exponent)]))
 }
 
 /// Wien's law: the wavelength in metres at which the spectral radiance by wavelength peaks; zero for temperatures that
@@ -134,7 +134,7 @@ fn spectral<S: Scalar>(front: S, base: S, squares: [bool; 2], exponent: S) -> S 
 #[inline]
 pub fn peak_wavelength<S: WideRange>(temperature: S) -> S {
     const WIEN: Constant = Constant::new(WIEN_WAVELENGTH);
-    if temperature > S::ZERO { finite(S::constant(WIEN) / temperature) } else { S::ZERO }
+    if temperature > S::ZERO { saturated(S::constant(WIEN) / temperature) } else { S::ZERO }
 }
 
 /// Wien's law by frequency: the frequency in hertz at which the spectral radiance by frequency peaks, which is another
@@ -142,7 +142,7 @@ pub fn peak_wavelength<S: WideRange>(temperature: S) -> S {
 #[inline]
 pub fn peak_frequency<S: WideRange>(temperature: S) -> S {
     const WIEN: Constant = Constant::new(WIEN_FREQUENCY);
-    finite(S::constant(WIEN) * temperature)
+    saturated(S::constant(WIEN) * temperature)
 }
 
 /// Stefan and Boltzmann's law: the power that a square metre radiates into its half of the sky, `sigma T^4` in
@@ -170,5 +170,5 @@ pub fn total_radiance<S: WideRange>(temperature: S) -> S {
 
 #[inline]
 fn fourth_power<S: Scalar>(front: S, base: S) -> S {
-    if base > S::ZERO { finite(quotient([front, base, base, base, base], [])) } else { S::ZERO }
+    if base > S::ZERO { saturated(quotient([front, base, base, base, base], [])) } else { S::ZERO }
 }

@@ -43,7 +43,7 @@ pub use energy::{exact_rp_q30, karis_q30};
 pub use microfacet::{schlick, smith};
 pub use point::PointGgx;
 
-use crate::product::finite;
+use crate::product::saturated;
 use crate::real::{HALF, INVERSE_PI, Real, Scalar, at_most, positive};
 use crate::sphere::DistantSphere;
 
@@ -74,7 +74,7 @@ impl<S: Scalar> Gloss<S> {
     /// A level that may have left the range of f16, and the cosine that Schlick's weight is of.
     #[inline]
     pub(crate) fn of(level: S, gain: S, v_dot_h: S) -> Self {
-        Self { level: finite(level), gain, fresnel: schlick(v_dot_h) }
+        Self { level: saturated(level), gain, fresnel: schlick(v_dot_h) }
     }
 
     /// Radiance towards the viewer under a light of `illuminance`, for a reflectance at normal incidence of `f0`.

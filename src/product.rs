@@ -31,7 +31,7 @@ pub(crate) fn quotient<S: Scalar, const N: usize, const M: usize>(above: [S; N],
 
 /// `value`, or the greatest finite number where it is above that; zero for NaN and what is negative.
 #[inline]
-pub(crate) fn finite<S: Scalar>(value: S) -> S {
+pub(crate) fn saturated<S: Scalar>(value: S) -> S {
     if value > S::MAX {
         S::MAX
     } else if value > S::ZERO {

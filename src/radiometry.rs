@@ -35,7 +35,7 @@ mod sphere_light;
 pub use error::RadiometryError;
 pub use sphere_light::SphereLight;
 
-use crate::product::{finite, quotient};
+use crate::product::{quotient, saturated};
 use crate::real::{Constant, Scalar};
 
 const PI: Constant = Constant::new(core::f64::consts::PI);
@@ -122,20 +122,20 @@ pub fn patch_solid_angle<S: Scalar>(area: S, cos: S, distance: S) -> S {
 /// Area in square metres that `area` takes across a beam, its normal at an angle of cosine `cos` to it: `A cos`.
 #[inline]
 pub fn projected_area<S: Scalar>(area: S, cos: S) -> S {
-    finite(area * finite(cos))
+    saturated(area * saturated(cos))
 }
 
 /// Power in watts of a beam of `irradiance` W/m^2 and `area` square metres across: `E A`.
 #[inline]
 pub fn beam_power<S: Scalar>(irradiance: S, area: S) -> S {
-    finite(irradiance * area)
+    saturated(irradiance * area)
 }
 
 /// Power in W/m^2 that leaves a surface of `albedo` under `irradiance`: `rho E`, into its whole half of the sky. What
 /// a pixel shows of a matt surface is [`diffuse_radiance`].
 #[inline]
 pub fn radiosity<S: Scalar>(albedo: S, irradiance: S) -> S {
-    finite(albedo * irradiance)
+    saturated(albedo * irradiance)
 }
 
 /// Radiance in W/(m^2 sr) of a matt surface of `albedo` under `irradiance`, from everywhere: `rho E / pi`.
@@ -144,7 +144,7 @@ pub fn radiosity<S: Scalar>(albedo: S, irradiance: S) -> S {
 /// has to have radiance 1.
 #[inline]
 pub fn diffuse_radiance<S: Scalar>(albedo: S, irradiance: S) -> S {
-    finite(quotient([albedo, irradiance], [S::constant(PI)]))
+    saturated(quotient([albedo, irradiance], [S::constant(PI)]))
 }
 
 /// A small flat piece of a surface, as it lies to a line of sight.
@@ -163,14 +163,14 @@ pub struct Patch<S> {
 /// the two patches may change places.
 #[inline]
 pub fn flux<S: Scalar>(radiance: S, sender: Patch<S>, receiver: Patch<S>, distance: S) -> S {
-    let above = [radiance, sender.area, finite(sender.cos), receiver.area, finite(receiver.cos)];
-    if distance > S::ZERO { finite(quotient(above, [distance, distance])) } else { S::ZERO }
+    let above = [radiance, sender.area, saturated(sender.cos), receiver.area, saturated(receiver.cos)];
+    if distance > S::ZERO { saturated(quotient(above, [distance, distance])) } else { S::ZERO }
 }
 
 /// `value cos / distance^2`.
 #[inline]
 fn foreshortened<S: Scalar>(value: S, cos: S, distance: S) -> S {
-    if distance > S::ZERO { finite(quotient([value, finite(cos)], [distance, distance])) } else { S::ZERO }
+    if distance > S::ZERO { saturated(quotient([value, saturated(cos)], [distance, distance])) } else { S::ZERO }
 }
 
 /// A number that is allowed to be zero; refused as it is.

@@ -81,6 +81,9 @@ fn smiths_visibility_alone_overflows_f16() {
     let alone = 0.5 / (2.0 * c * shadow(c, a));
     assert!(f16::nearest(alone).is_infinite());
     assert_near(smith(cosine, cosine, alpha).exact() / (alone * c), 1.0, 2e-3);
+    // Grazing to a 300th of a degree there is nothing to see.
+    assert_eq!([smith(1.0, 1.0 / 16384.0, 0.0), smith(0.0, 1.0, 0.5), smith(f64::NAN, 1.0, 0.5)], [0.0; 3]);
+    assert_near(smith(1.0, 1.001 / 16384.0, 0.0) / 4096.0, 1.0 / 1.001, 1e-12);
 }
 
 /// A lamp of ratio 0.3 on a polish: without an energy factor 93 000 times too bright, by Karis's 1.02 to 7 times.

@@ -113,3 +113,21 @@ fn errors_of_pixels_are_the_budgets_that_are_asserted() {
         assert_eq!(cells, means, "{}", case.name);
     }
 }
+
+/// So are the figures in the documentation of the default highlight.
+#[test]
+fn errors_of_the_cone_in_its_documentation_are_the_budgets_too() {
+    let code = include_str!("../src/highlight/cone.rs").replace("\n///", "");
+    let text = code.split("Root mean square error of a whole pixel").nth(1).unwrap();
+    let (polish, varnish) = text.split_once(';').unwrap();
+    let means = gloss::MEANS[gloss::family(Shading::ConeGgx)];
+    for (text, means) in [(polish, means[0]), (varnish, means[1])] {
+        for format in [Format::F32, Format::F16, Format::I2F14, Format::I2F30] {
+            let after = text.split(&format!("{} ", format.name())).nth(1).unwrap();
+            let figure: String =
+                after.chars().take_while(|next| next.is_ascii_digit() || ".e-".contains(*next)).collect();
+            let figure = figure.trim_end_matches('.').parse().ok();
+            assert_eq!(figure, Some(means[format as usize]), "{}: {after:.20}", format.name());
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! The colour of a temperature at three wavelengths.
 
 use crate::exponential::{complement, shrunk};
-use crate::product::finite;
+use crate::product::saturated;
 use crate::real::{Constant, Scalar};
 use crate::vec3::each;
 
@@ -49,7 +49,7 @@ pub fn tint<S: Scalar>(temperature: S, wavelengths: [S; 3]) -> [S; 3] {
         shrunk(square * square * ratio, lower) * (longest_rest / complement(exponent))
     });
     let greatest = greatest(levels);
-    each(levels, |level| finite(level / greatest))
+    each(levels, |level| saturated(level / greatest))
 }
 
 #[inline]

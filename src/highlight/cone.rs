@@ -32,6 +32,9 @@ use crate::sphere::DistantSphere;
 /// reflection, for half the sky from 45), `g` would not be positive, and half vectors lie at right angles to `v`, which fit no
 /// cone. There `g` is kept at a 30 000th of `w` over `b^2 = alpha^2 + w/2`: all that is near the plane of incidence counts,
 /// however far across.
+///
+/// Root mean square error of a whole pixel's arithmetic, relative, under the Sun (`trial::gloss`, `tests/gloss.rs`): for `alpha =
+/// 0.001` f32 1.1e-5, f16 0.093, I2F14 2.2e-3, I2F30 2.7e-8; for 0.0625 f32 3.4e-7, f16 2.8e-3, I2F14 1.7e-4, I2F30 2.9e-9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeGgx<T: Real> {
     width: Width<T::Scalar>,
@@ -40,6 +43,9 @@ pub struct ConeGgx<T: Real> {
 /// [`ConeGgx`] for lights of any size: shadowing, reflectance and the cosine are taken not at the disc's centre but
 /// between that and the point nearest to the mirror ray, the nearer to it the smaller the roughness is beside the
 /// disc. At the Sun the centre is good enough.
+///
+/// That direction is a little shorter than 1, and `(v.h)^2 = (1 + m.v) / 2` taken of it loses digits where the viewer is about
+/// opposite: in f16, a degree above the surface, up to a quarter of the peak (`tests/highlight_failures.rs`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShiftedConeGgx<T: Real> {
     cone: ConeGgx<T>,

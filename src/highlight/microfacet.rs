@@ -1,4 +1,4 @@
-//! What every highlight shares: shadowing by Smith, reflectance by Schlick.
+//! What every highlight shares: shadowing by Smith (height-correlated: E. Heitz, 2014), reflectance by Schlick (1994).
 
 use super::HALF;
 use crate::real::{Constant, Scalar};
