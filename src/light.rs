@@ -109,6 +109,7 @@ impl DistantLight {
     }
 
     /// Sine of the angular radius; radius over distance for all that subtend up to half the sky.
+    #[doc(alias = "ratio")]
     pub const fn sin(&self) -> f64 {
         self.sin
     }

@@ -3,7 +3,7 @@
 //! Vectors are `[i16; 3]` in Q14 (16384 is 1) or `[i32; 3]` in Q30 (1073741824 is 1), of length 1 give or take a
 //! rounding; up to 1.16 nothing overflows. Each function is the one of the same name in [`specular`], in integers to
 //! the end, with that function's formula, special cases and error; `tests/raw.rs` holds the two to the same bits.
-//! Quantities of light are `u32` in Q16 (65536 is 1) and, where they are at most 1, `i32` in Q30.
+//! The scene's need the feature `heapless`. Quantities of light are `u32` in Q16 (65536 is 1) and, where they are at most 1, `i32` in Q30.
 
 mod blackbody;
 mod diffuse;
@@ -17,7 +17,10 @@ pub use diffuse::*;
 pub use radiometry::*;
 pub use sampling::*;
 #[cfg(feature = "heapless")]
-pub use scene::*;
+pub use scene::{
+    LampQ14, LampQ30, SceneQ14, SceneQ30, SurfaceQ14, SurfaceQ30, lamp_q14, lamp_q30, shade_channel_q14,
+    shade_channel_q30, shade_q14, shade_q30, surface_q14, surface_q30,
+};
 
 use fixed::types::{I2F14, I2F30};
 

@@ -1,4 +1,4 @@
-//! The least scene: some distant lights, one material, no geometry.
+//! The least scene: some distant lights, one material, no geometry. Needs the feature `heapless`, which is on by default.
 //!
 //! ```
 //! use sunglint::material::{Material, Surface};

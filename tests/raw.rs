@@ -1,6 +1,7 @@
 //! The raw-bits layer is the `fixed` layer on bits.
 
 use fixed::types::{I2F14, I2F30, U16F16, U32F32};
+use sunglint::highlight::PointGgx;
 use sunglint::material::{Material, Surface};
 use sunglint::raw::{SUN_Q14, SUN_Q30};
 use sunglint::sampling::{Cone, basis, points};
@@ -103,9 +104,19 @@ fn a_scene_from_bits_is_one_from_the_types() {
         raw::lamp_q30(q30(l).map(I2F30::to_bits), &SUN_Q30, illuminance.map(|level| (level * 4294967296.0) as u64));
     fine.push(&lamp.unwrap()).unwrap();
     assert!(raw::lamp_q14([0; 3], &SUN_Q14, [1; 3]).is_err() && raw::lamp_q30([0; 3], &SUN_Q30, [1; 3]).is_err());
+    let bits = |value: f64| (value * f64::from(1 << 30)).round() as i32;
+    let (albedo, f0) = ([0.5, 0.25, 0.125].map(bits), [0.0, 0.5, 1.0].map(bits));
+    let same = Material::new([0.5, 0.25, 0.125], 0.0625, [0.0, 0.5, 1.0]).unwrap();
+    assert_eq!(raw::surface_q14(albedo, bits(0.0625), f0), Ok(Surface::of(&same)));
+    assert_eq!(raw::surface_q30(albedo, bits(0.0625), f0), Ok(Surface::of(&same)));
+    assert!(raw::surface_q14(albedo, bits(1e-4), f0).is_err() && raw::surface_q30([-1, 0, 0], 0, f0).is_err());
+    let mut karis = raw::SceneQ14::<1, _>::with_highlight(&Surface::of(&material), PointGgx::karis);
+    karis.push(&raw::lamp_q14(q14(l).map(I2F14::to_bits), &SUN_Q14, [65536; 3]).unwrap()).unwrap();
     for pair in input::random(3, 500, SUN.angular_radius()) {
         let (n, v) = (pair.l, pair.r);
         let (a, b) = (q14(n), q14(v));
+        let [c, d] = [a, b].map(|v| v.map(I2F14::to_bits));
+        assert_eq!(raw::shade_q14(&karis, c, d), karis.shade(a, b).map(U16F16::to_bits));
         let [c, d] = [a, b].map(|v| v.map(I2F14::to_bits));
         let levels = coarse.shade(a, b).map(U16F16::to_bits);
         assert_eq!(raw::shade_q14(&coarse, c, d), levels);

@@ -103,6 +103,7 @@ fn scene() {
     keep((raw::shade_q30(&scene, n, v), raw::shade_channel_q30(&scene, n, v, Channel::Red)));
     let number = black_box(Scaled::ZERO);
     keep(Surface::<I2F30>::new([number; 3], number, [number; 3]));
+    keep((raw::surface_q14(black_box([0; 3]), 0, [0; 3]), raw::surface_q30(black_box([0; 3]), 0, [0; 3])));
     others(SUN_Q30);
     others(DistantSphere::<I16F16>::new(&SUN));
 }
