@@ -17,7 +17,7 @@ charts of the total error, each with its method’s name at its right end, are m
 exact arithmetic against the BRDF integrated over the disc. No mark can lie under its method’s line, and <strong>where a mark \
 stands on its line, more precision buys nothing</strong>: only \
 another method does. None of these holds what rounding the \
-vectors into the format costs before any method has its turn: the column of rounded inputs has it, and in 16 bits on a polish it \
+vectors into the format costs before any method has its turn: the column of rounded inputs has it, and in I2F14 on a polish it \
 is the greatest of the three. In the total, arithmetic and model error are \
 combined as the root of the sum of their squares, and on its frontier stands only what gains in the first two digits.</p>\
 <dl><dt>none (<code>PointGgx::none</code>)</dt><dd>GGX at the disc’s point nearest to the mirror ray: too bright, as the light’s energy is counted at every \
