@@ -22,7 +22,7 @@ cheaper</strong>, further <strong>down is more exact</strong>; both axes are log
 stairs are the Pareto frontier: for every mark off them there is another that is neither dearer nor \
 more wrong. A hollow, crossed-out mark fails, and \
 its label says how: <em>disc lost</em> is off by half of the radius or more within ten radii of the \
-light; in the grey strip on top stands what gave no number at all. Point at a mark for its numbers.</p>";
+light; in the grey strip on top stands what gave no number at all. Marks that coincide are drawn inside each other, the outer ones larger. Point at a mark for its numbers.</p>";
 
 const DIRECTIONS: &str = "<p>A highlight shows the point of a light that lies nearest to the mirror direction. \
 These are ways to find the direction to that point. The dashed line is an error as large as the light’s own angular \
