@@ -125,7 +125,8 @@ fn the_white_furnace_closes() {
     fn check<S: Scalar>(sky: f64) {
         let radiance = diffuse_radiance(S::ONE, S::nearest(sky)).exact();
         let forgotten = radiosity(S::ONE, S::nearest(sky)).exact();
-        assert!((radiance - 1.0).abs() < 1e-3 && forgotten > 3.1, "{radiance} {forgotten}");
+        // In f64 the sky's own sum is 3.4e-14 off.
+        assert!((radiance - 1.0).abs() < 4e-14 && forgotten > 3.1, "{radiance} {forgotten}");
     }
     check::<f64>(sky);
     check::<f32>(sky);

@@ -143,28 +143,8 @@ pub fn input<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item 
     found
 }
 
-/// A pixel's true value, the BRDF integrated over the disc.
-fn whole<const N: usize>(case: &Case, pixel: &Pixel, rule: &Quadrature<N>) -> f64 {
-    diffuse(case, pixel, ALBEDO) + PI * rule.highlight(&case.glossy::<f64>(), pixel)
-}
-
-/// Relative error of the method's formula itself: its exact value against the BRDF integrated over the disc.
-pub fn model<const N: usize>(
-    shading: Shading,
-    case: &Case,
-    pixels: impl Iterator<Item = Pixel>,
-    rule: &Quadrature<N>,
-) -> Found<9> {
-    let mut found = Found::new();
-    for pixel in pixels {
-        let whole = whole(case, &pixel, rule);
-        found.add((truth::<f64>(shading, case, &pixel) / whole - 1.0).abs(), inputs(&pixel));
-    }
-    found
-}
-
-/// The same of all methods at once, in the order of [`Shading::ALL`]: the integral, which takes nearly all of the time,
-/// is the same for each.
+/// Relative error of the methods' formulas themselves, in the order of [`Shading::ALL`]: their exact values against the
+/// BRDF integrated over the disc. All at once, since the integral, which takes nearly all of the time, is the same for each.
 pub fn models<const N: usize>(
     case: &Case,
     pixels: impl Iterator<Item = Pixel>,
@@ -172,7 +152,7 @@ pub fn models<const N: usize>(
 ) -> [Found<9>; Shading::ALL.len()] {
     let mut found = [Found::new(); Shading::ALL.len()];
     for pixel in pixels {
-        let whole = whole(case, &pixel, rule);
+        let whole = diffuse(case, &pixel, ALBEDO) + PI * rule.highlight(&case.glossy::<f64>(), &pixel);
         for (found, shading) in found.iter_mut().zip(Shading::ALL) {
             found.add((truth::<f64>(shading, case, &pixel) / whole - 1.0).abs(), inputs(&pixel));
         }

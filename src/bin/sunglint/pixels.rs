@@ -207,14 +207,6 @@ mod tests {
     }
 
     #[test]
-    fn the_models_at_once_are_those_one_by_one() {
-        let (case, rule) = (&CASES[3], Quadrature::<4>::new());
-        let at_once = gloss::models(case, case.pixels(1, 20), &rule);
-        assert_eq!(at_once, Shading::ALL.map(|method| gloss::model(method, case, case.pixels(1, 20), &rule)));
-        assert!(at_once[0].max > 0.0 && at_once[0].samples == 20);
-    }
-
-    #[test]
     fn every_method_can_be_timed_in_every_format_in_every_case() {
         for case in &CASES {
             for format in Format::ALL {
