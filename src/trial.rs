@@ -5,6 +5,7 @@
 pub mod blackbody;
 pub mod budget;
 pub mod diffuse;
+pub mod draw;
 pub mod format;
 pub mod found;
 pub mod gloss;
@@ -12,12 +13,14 @@ pub mod input;
 pub mod judge;
 pub mod lights;
 pub mod method;
+pub mod property;
 pub mod quantity;
 pub mod radiometry;
 pub mod sampling;
 pub mod shading;
 pub mod shadow;
 
+pub use draw::Draw;
 pub use format::{Format, Visitor};
 pub use found::Found;
 pub use judge::{Judgement, Worst, judge};

@@ -72,6 +72,18 @@ impl Format {
         }
     }
 
+    /// The number that some raw bits are, in as many low bits as the format has.
+    pub fn value(self, bits: u64) -> f64 {
+        match self {
+            Self::F64 => f64::from_bits(bits),
+            Self::F32 | Self::Micromath => f32::from_bits(bits as u32).into(),
+            Self::F16 => half::f16::from_bits(bits as u16).to_f64(),
+            Self::I2F14 => fixed::types::I2F14::from_bits(bits as i16).to_f64(),
+            Self::I2F30 => fixed::types::I2F30::from_bits(bits as i32).to_f64(),
+            Self::I16F16 => fixed::types::I16F16::from_bits(bits as i32).to_f64(),
+        }
+    }
+
     /// How many bits a number of the format has.
     pub const fn width(self) -> usize {
         match self {

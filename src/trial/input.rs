@@ -125,7 +125,7 @@ pub(super) fn turned(l: [f64; 3], aside: [f64; 3], angle: f64) -> [f64; 3] {
     unit([0, 1, 2].map(|i| libm::cos(angle) * l[i] + libm::sin(angle) * tangent[i]))
 }
 
-fn unit(v: [f64; 3]) -> [f64; 3] {
+pub(super) fn unit(v: [f64; 3]) -> [f64; 3] {
     let length = libm::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     v.map(|lane| lane / length)
 }
