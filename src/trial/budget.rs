@@ -10,6 +10,7 @@
 //! of the rim is as near (at the Sun `cap` holds there as well, in f16 from a tenth of a step), and representative
 //! points less than 0.1 long.
 
+use super::aim::{DISCS, HALVES, SPHERES};
 use super::format::Format;
 use super::method::Method;
 
@@ -77,3 +78,37 @@ const CAP: [Maxima; 6] = [
     [8.5e-16, 2.8e-7, 2.3e-6, 2.0e-3, 1.7e-4, 2.6e-9, 4.3e-5],
     [5.0e-16, 2.0e-7, 2.3e-7, 1.6e-3, 1.4e-4, 2.3e-9, 3.9e-5],
 ];
+
+/// The budget of `method` in `format` under any light of an angular radius of `theta`; none for what has none.
+pub fn of_any_light(method: Method, format: Format, theta: f64) -> Option<f64> {
+    let span = DISCS.iter().position(|span| theta <= span.to)?;
+    let table: &[Maxima] = match method {
+        Method::Epic | Method::Factored => &ANY_FACTORED,
+        Method::Disc => &ANY_DISC,
+        Method::Cap => &ANY_CAP,
+    };
+    table.get(span).map(|row| row[format as usize])
+}
+
+/// How far from 1 the length of the answer of `cap` may be, under lights of an angular radius of `theta`.
+pub fn cap_length(format: Format, theta: f64) -> f64 {
+    CAP_LENGTH[usize::from(theta > HALVES[0].to)][format as usize]
+}
+
+/// How far off the lanes of `reflect` may be; f64 has none.
+pub fn reflect(format: Format) -> Option<f64> {
+    Some(REFLECT[format as usize]).filter(|budget| !budget.is_nan())
+}
+
+/// How far off the direction of `normalize` may be, in radians, and how far from 1 its length, for
+/// [`LENGTHS`](super::aim::LENGTHS).
+pub fn normalize(format: Format) -> [f64; 2] {
+    [NORMALIZE[0][format as usize], NORMALIZE[1][format as usize]]
+}
+
+const ANY_FACTORED: [Maxima; SPHERES] = [[1.0; 7]; SPHERES];
+const ANY_DISC: [Maxima; 9] = [[1.0; 7]; 9];
+const ANY_CAP: [Maxima; 9] = [[1.0; 7]; 9];
+const CAP_LENGTH: [Maxima; 2] = [[1.0; 7]; 2];
+const REFLECT: Maxima = [FAILS, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0];
+const NORMALIZE: [Maxima; 2] = [[1.0; 7]; 2];
