@@ -80,10 +80,11 @@ fn line(cell: &Cell, Peak { error, at }: &Peak) -> String {
     format!("{aim},{format},{place},{:x}{},{error:.5e}\n", at.size.to_bits(), lanes.collect::<String>())
 }
 
-/// Where the table of the worst is from. Fails where it finds worse than is recorded by more than a thousandth.
+/// Where the table of the worst is from: begins with what is recorded there, and writes what it finds beside it. Fails
+/// where that is above a budget. `SUNGLINT_CELL` picks the cells whose name contains it, `SUNGLINT_SEED` another seed.
 #[test]
 #[ignore = "six minutes on two cores: cargo test --release --test search -- --ignored --nocapture"]
-fn nothing_is_worse_than_what_is_recorded() {
+fn the_full_search_finds_nothing_above_the_budgets() {
     let cells: Vec<Cell> = Cell::all().collect();
     let only = std::env::var("SUNGLINT_CELL").unwrap_or_default();
     let chosen: Vec<usize> = (0..cells.len()).filter(|&index| name(&cells[index]).contains(&only)).collect();
@@ -107,7 +108,9 @@ fn nothing_is_worse_than_what_is_recorded() {
             found.lock().unwrap().insert(index, (peak, old));
         }
     };
-    thread::scope(|scope| (0..thread::available_parallelism().map_or(2, usize::from)).for_each(|_| drop(scope.spawn(work))));
+    thread::scope(|scope| {
+        (0..thread::available_parallelism().map_or(2, usize::from)).for_each(|_| drop(scope.spawn(work)))
+    });
     let found = found.into_inner().unwrap();
     let mut table = String::from("aim,format,place,size,l0,l1,l2,r0,r1,r2,error\n");
     for (index, (peak, _)) in &found {
@@ -116,8 +119,9 @@ fn nothing_is_worse_than_what_is_recorded() {
     let path = concat!(env!("CARGO_TARGET_TMPDIR"), "/directions.csv");
     fs::write(path, table).unwrap();
     println!("{path} is the table of src/trial/worst/ now");
-    let worse = found.values().filter(|(peak, old)| old.is_none_or(|old| peak.error > 1.001 * old)).count();
-    assert_eq!(worse, 0, "cells with worse than is recorded");
+    let above =
+        found.iter().filter(|(index, (peak, _))| cells[**index].budget().is_none_or(|budget| peak.error > budget));
+    assert_eq!(above.count(), 0, "cells with worse than their budget");
 }
 
 /// The formats' bits and values, on which the records stand.

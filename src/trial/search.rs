@@ -32,8 +32,8 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// What the budgets are from: about two million inputs for each.
-    pub const FULL: Self = Self { starts: 2000, first: 500, last: 40_000 };
+    /// What the budgets are from: over a million inputs for each.
+    pub const FULL: Self = Self { starts: 1200, first: 500, last: 24_000 };
 
     /// A few thousand inputs.
     pub const SHORT: Self = Self { starts: 8, first: 60, last: 60 };
@@ -144,7 +144,16 @@ impl<T: Real> Climber<T> {
     fn random(&mut self) -> Candidate {
         let size = self.size();
         let pair = input::random(self.source.rand_u64(), 5, size).nth(self.source.rand_range(0..5) as usize);
-        Candidate { size, pair: pair.unwrap_or(input::scene(size)) }
+        let mut pair = pair.unwrap_or(input::scene(size));
+        // One in eight a few steps from parallel or opposite, which no angle reaches in f64.
+        let kind = self.source.rand_range(0..16);
+        if kind < 2 {
+            let sign = if kind == 0 { 1.0 } else { -1.0 };
+            pair.l = rounded::<T>(pair).l;
+            pair.r = pair.l.map(|lane| sign * lane);
+            self.step_lanes(&mut pair);
+        }
+        Candidate { size, pair }
     }
 
     fn size(&mut self) -> f64 {

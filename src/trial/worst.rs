@@ -1,8 +1,9 @@
 //! The worst inputs that [`search`](super::search) has found, as raw bits: what the budgets of directions are tied to.
 
-use super::aim::{Aim, Candidate, Cell};
+use super::aim::{Aim, Candidate, Cell, Place};
 use super::format::Format;
 use super::input::Pair;
+use super::method::Method;
 
 /// One line for each cell: aim, format, place, the size as an f64 in hexadecimal bits, the six lanes of `l` and `r` in
 /// bits of the format, the error.
@@ -24,10 +25,10 @@ pub fn recorded() -> impl Iterator<Item = Record> {
     TABLE.lines().skip(1).filter_map(record)
 }
 
-/// The worst pairs of a cell's aim and format under any light: for tests of a few inputs, so that the worst is among them.
-pub fn pairs(aim: Aim, format: Format) -> impl Iterator<Item = Pair> {
-    let found = recorded().filter(move |record| record.cell.aim == aim && record.cell.format == format);
-    found.map(|record| record.at.pair)
+/// The worst input of a method under a budgeted light, for tests that try only a few others.
+pub fn under(method: Method, format: Format, light: usize) -> impl Iterator<Item = Pair> {
+    let cell = Cell { aim: Aim::Direction(method), format, place: Place::Light(light) };
+    recorded().filter(move |record| record.cell == cell).map(|record| record.at.pair)
 }
 
 fn record(line: &str) -> Option<Record> {
