@@ -170,6 +170,15 @@ impl Visitor for FullSphere {
     }
 }
 
+/// A gap of 4e-10 about the opposite, which the cosine has lost, is no part of the disc. A fuzzer found it.
+#[test]
+fn almost_the_full_sphere_keeps_its_gap() {
+    const GAP: f64 = 3.7e-10;
+    let light = DistantLight::from_angular_radius(std::f64::consts::PI - GAP).unwrap();
+    let answer = cap([0.0, 0.0, 1.0], [1e-10, 0.0, -1.0], &DistantSphere::<f64>::new(&light));
+    assert!((answer[0] / light.sin() - 1.0).abs() < 1e-9 && answer[2] == -1.0, "{answer:?}");
+}
+
 #[test]
 fn the_full_sphere_gives_the_mirror_direction() {
     Format::ALL.into_iter().for_each(|format| format.visit(FullSphere));

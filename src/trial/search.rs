@@ -92,8 +92,8 @@ impl<T: Real> Climber<T> {
             let at = Candidate { size: self.size(), pair };
             self.start(at, effort.first, &mut kept);
         }
-        for _ in 0..effort.starts {
-            let at = self.best_of_many();
+        for start in 0..effort.starts {
+            let at = self.best_of_many(start % 4 == 0);
             self.start(at, effort.first, &mut kept);
         }
         let peaks = kept.map(|peak| self.climb(peak, effort.last));
@@ -131,10 +131,10 @@ impl<T: Real> Climber<T> {
         error.map(|error| Peak { error, at })
     }
 
-    fn best_of_many(&mut self) -> Candidate {
+    fn best_of_many(&mut self, parallel: bool) -> Candidate {
         let mut best = Peak { error: -1.0, at: self.random() };
         for _ in 0..DRAWS {
-            let at = self.random();
+            let at = if parallel { self.parallel() } else { self.random() };
             let at = Candidate { pair: rounded::<T>(at.pair), ..at };
             best = self.peak(at).map_or(best, |peak| higher(best, peak));
         }
@@ -144,15 +144,16 @@ impl<T: Real> Climber<T> {
     fn random(&mut self) -> Candidate {
         let size = self.size();
         let pair = input::random(self.source.rand_u64(), 5, size).nth(self.source.rand_range(0..5) as usize);
-        let mut pair = pair.unwrap_or(input::scene(size));
-        // One in eight a few steps from parallel or opposite, which no angle reaches in f64.
-        let kind = self.source.rand_range(0..16);
-        if kind < 2 {
-            let sign = if kind == 0 { 1.0 } else { -1.0 };
-            pair.l = rounded::<T>(pair).l;
-            pair.r = pair.l.map(|lane| sign * lane);
-            self.step_lanes(&mut pair);
-        }
+        Candidate { size, pair: pair.unwrap_or(input::scene(size)) }
+    }
+
+    /// A few steps from parallel or opposite, which no angle reaches in f64.
+    fn parallel(&mut self) -> Candidate {
+        let Candidate { size, pair } = self.random();
+        let l = rounded::<T>(pair).l;
+        let sign = if self.source.rand_u64() & 1 == 0 { 1.0 } else { -1.0 };
+        let mut pair = Pair { l, r: l.map(|lane| sign * lane) };
+        self.step_lanes(&mut pair);
         Candidate { size, pair }
     }
 
@@ -162,7 +163,8 @@ impl<T: Real> Climber<T> {
         match self.source.rand_range(0..8) {
             0 => least,
             1 => most,
-            2..5 => least + (most - least) * part,
+            2 => most - (most - least) * libm::pow(1e-12, part),
+            3..5 => least + (most - least) * part,
             // Down to a ten-thousandth of the greatest where there is no least.
             _ => {
                 let from = least.max(1e-4 * most);
