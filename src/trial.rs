@@ -5,6 +5,7 @@
 pub mod blackbody;
 pub mod budget;
 pub mod diffuse;
+pub mod digest;
 pub mod draw;
 pub mod format;
 pub mod found;
