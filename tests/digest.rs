@@ -23,6 +23,10 @@ fn fixed_point_gives_the_same_bits_everywhere() {
 }
 
 #[test]
+#[cfg_attr(
+    all(miri, any(target_arch = "x86", target_arch = "x86_64")),
+    ignore = "libm takes roots by an instruction that Miri does not know"
+)]
 fn floats_give_the_same_bits_everywhere() {
     keep(&FLOATS);
 }
@@ -35,8 +39,9 @@ fn a_million_results_are_in_the_fixed_point_digests() {
     assert!(results.iter().sum::<u32>() >= 1_000_000);
 }
 
-/// That a single bit of a single result is noticed.
+/// That a result is noticed.
 #[test]
+#[cfg_attr(miri, ignore = "takes too long")]
 fn one_case_more_is_another_digest() {
     for digester in FIXED_POINT.iter().chain(&FLOATS) {
         let (some, more) = (digester.digest(2), digester.digest(3));

@@ -14,8 +14,8 @@ use crate::real::{Scalar, Scaled};
 use crate::sampling::{Cone, basis, points, sin_cos};
 use crate::scene::{Lamp, Scene};
 use crate::shadow::soft_shadow;
-use crate::specular::{cap, disc, factored, normalize, reflect};
-use crate::sphere::DistantSphere;
+use crate::specular::{cap, disc, epic, factored, normalize, reflect};
+use crate::sphere::{DistantSphere, UnfactoredSphere};
 
 pub(super) fn directions<T: Digested>(source: &mut Source, digest: &mut Digest) {
     let light = source.light::<T>();
@@ -23,6 +23,9 @@ pub(super) fn directions<T: Digested>(source: &mut Source, digest: &mut Digest) 
     let r = source.beside(l);
     [cap(l, r, &light), factored(l, r, &light), disc(l, r, &light)].add_to(digest);
     [reflect(l, r), normalize(l), normalize(r)].add_to(digest);
+    // Of distance 1, since other lengths are rounded in f64.
+    let unfactored = UnfactoredSphere { radius: light.sin, radius_square: light.sin_square, distance: T::WIDE_ONE };
+    epic(l, r, &unfactored).add_to(digest);
     [light.sin(), light.sin_square(), light.cos(), light.versine()].add_to(digest);
 }
 
