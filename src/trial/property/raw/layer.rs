@@ -39,6 +39,8 @@ pub trait Raw: Real<Scalar = Scaled> + PartialEq {
 }
 
 /// The functions, by their names without the format.
+// Names for such types would only move them.
+#[allow(clippy::type_complexity)]
 pub struct Layer<T: Raw> {
     pub sphere: fn(i32) -> Result<DistantSphere<T>, LightError>,
     pub cap: TwoVectors<T>,
@@ -54,11 +56,8 @@ pub struct Layer<T: Raw> {
     pub contains: fn(&Cone<T>, Vector<T>) -> bool,
     pub basis: fn(Vector<T>) -> [Vector<T>; 2],
     pub last_point: fn(u32, u32) -> Option<[T::Lane; 2]>,
-    #[allow(clippy::type_complexity)]
     pub soft_shadow: fn(&Cone<T>, Vector<T>, u32, u32, fn(Vector<T>) -> bool) -> [i32; 2],
-    #[allow(clippy::type_complexity)]
     pub surface: fn([i32; 3], i32, [i32; 3]) -> Result<Surface<T>, MaterialError<Scaled>>,
-    #[allow(clippy::type_complexity)]
     pub lamp: fn(Vector<T>, &DistantSphere<T>, Levels<T>) -> Result<Lamp<T>, SceneError<Scaled>>,
     pub shade: fn(&Scene<T, 2>, Vector<T>, Vector<T>) -> Levels<T>,
     pub shade_channel: fn(&Scene<T, 2>, Vector<T>, Vector<T>, Channel) -> T::Light,

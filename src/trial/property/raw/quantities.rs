@@ -6,7 +6,7 @@ use super::word;
 use crate::blackbody;
 use crate::radiometry::RadiometryError;
 use crate::raw;
-use crate::real::{Scalar, Scaled};
+use crate::real::Scaled;
 use crate::trial::draw::Draw;
 use crate::trial::format::Format;
 use crate::trial::property::{Broken, Case};

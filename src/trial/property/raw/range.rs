@@ -46,7 +46,8 @@ fn sphere<T: Raw>(case: &Case, draw: &mut Draw<'_>) -> Result<DistantSphere<T>, 
 
 /// A surface, or a white one where a number is out of range.
 fn surface<T: Raw>(case: &Case, draw: &mut Draw<'_>) -> Result<Surface<T>, Broken> {
-    let share = |draw: &mut Draw<'_>| if draw.byte() % 8 == 0 { word(draw) } else { word(draw) & (ONE as u32 - 1) };
+    let share =
+        |draw: &mut Draw<'_>| if draw.byte().is_multiple_of(8) { word(draw) } else { word(draw) & (ONE as u32 - 1) };
     let mut shares = || [(); 3].map(|()| share(draw) as i32);
     let (albedo, f0) = (shares(), shares());
     let alpha = word(draw) as i32;

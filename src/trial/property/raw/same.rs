@@ -44,7 +44,7 @@ fn diffuse<T: Raw>(
     b: [T; 3],
 ) -> Result<(), Broken> {
     let layer = T::LAYER;
-    let n_dot_l = if draw.byte() % 2 == 0 { T::dot(a, b) } else { T::wide_of(draw.bits()) };
+    let n_dot_l = if draw.byte().is_multiple_of(2) { T::dot(a, b) } else { T::wide_of(draw.bits()) };
     let (albedo, level) = (b[0], T::light_of(draw.bits() >> (draw.byte() % 64)));
     let of = |light: T::Light| T::level_of(light);
     let answer = (layer.lambert)(albedo.bits(), level, n_dot_l);
