@@ -56,7 +56,9 @@ fn public_functions(file: &Path) -> Vec<String> {
     for line in fs::read_to_string(file).unwrap().lines() {
         let code = line.trim_start();
         let depth = line.len() - code.len();
-        if let Some(rest) = code.strip_prefix("impl").filter(|rest| rest.starts_with(['<', ' '])) {
+        if let Some(rest) =
+            code.strip_prefix("impl").filter(|rest| rest.starts_with(['<', ' ']) && !rest.ends_with('}'))
+        {
             block = Some((depth, identifier(after_generics(rest).trim_start()).to_owned(), false));
         } else if let Some(rest) = code.strip_prefix("pub trait ").filter(|rest| !rest.ends_with('}')) {
             block = Some((depth, identifier(rest).to_owned(), true));
