@@ -101,7 +101,7 @@ pub fn cap<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
         // Beside -l the tangent is so short that what the first step leaves along l counts.
         let (s, first) = tangent(zip(r, l, T::add), l);
         let (s, second) = tangent(s, l);
-        (s, first + second)
+        (s, first.wrapping_add(second))
     };
     let square = T::square(s);
     let [behind, ahead] = T::STEEP;

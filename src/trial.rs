@@ -6,6 +6,7 @@ pub mod aim;
 pub mod blackbody;
 pub mod budget;
 pub mod diffuse;
+pub mod digest;
 pub mod draw;
 pub mod format;
 pub mod found;

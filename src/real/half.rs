@@ -91,6 +91,6 @@ pub(crate) const fn nearest(value: f64) -> f16 {
     let bits = value.to_bits();
     let odd = (bits >> 42) & 1;
     // A mantissa that rounds up past its end carries into the exponent, as it should.
-    let rounded = bits + ((1 << 41) - 1) + odd;
+    let rounded = bits.wrapping_add((1 << 41) - 1).wrapping_add(odd);
     f16::from_f64_const(f64::from_bits(rounded & !((1 << 42) - 1)))
 }

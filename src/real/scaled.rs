@@ -101,6 +101,12 @@ impl Scaled {
         }
     }
 
+    /// The mantissa in Q31 and the exponent, for digests.
+    #[cfg(feature = "oracle")]
+    pub(crate) const fn parts(self) -> (i32, i32) {
+        (self.mantissa, self.exponent)
+    }
+
     /// How many of the mantissa's bits lie below `2^-fraction`.
     #[inline]
     const fn places_below(self, fraction: u32) -> i32 {
