@@ -13,7 +13,7 @@ pub use points::points;
 pub use turn::sin_cos;
 
 use crate::light::LightError;
-use crate::real::{Constant, Real, Scalar, positive, within_one};
+use crate::real::{Constant, Real, Scalar, at_most, positive, within_one};
 use crate::specular::finite;
 use crate::sphere::DistantSphere;
 use crate::vec3::{each, zip};
@@ -56,9 +56,11 @@ impl<T: Real> Cone<T> {
         let [sin, cos, versine] = each([light.sin, light.cos, light.versine], T::scalar);
         let narrow = cos >= zero;
         let scaled = scale::<T>() * sin;
+        // The full sphere has -2 for its cosine.
+        let size = if narrow { cos } else { at_most(zero - cos, one) };
         // Tangent of half the angular radius, or of half of what that leaves of 180 degrees: at most 1. Neither it nor the
         // versine of a small disc is taken from the light's versine, which is subnormal in f16.
-        let tangent = sin / (one + if narrow { cos } else { zero - cos });
+        let tangent = sin / (one + size);
         let square = tangent * tangent;
         let (versine, scaled_versine) =
             if narrow { (sin * tangent, scaled * tangent) } else { (versine, scale::<T>() * versine) };
