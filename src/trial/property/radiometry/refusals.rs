@@ -36,8 +36,8 @@ impl Visitor for Refusals {
         ];
         let most = greatest(lamp.format);
         for (index, (formula, answer, refused)) in asked.into_iter().enumerate() {
-            // The third has another constant than the formula.
-            let value = if formula == lamp.formula && index != 2 { Some(truth.value()) } else { None };
+            // The third has another constant than the formula; raw bits may be beyond f64.
+            let value = if formula == lamp.formula && index != 2 && !lamp.raw { Some(truth.value()) } else { None };
             refusal(&case, answer, refused, value, most)?;
         }
         sphere(&lamp, &case, [a, b, c], d)
