@@ -53,7 +53,7 @@ struct Body {
 impl Body {
     fn new(draw: &mut Draw<'_>) -> Self {
         let format = draw.format();
-        let raw = draw.byte() % 8 == 0;
+        let raw = draw.byte().is_multiple_of(8);
         if raw {
             let mut any = || draw.any(format);
             let (ratios, temperatures) = ([any(), any()], [any(), any()]);

@@ -78,7 +78,7 @@ impl Lamp {
     fn new(draw: &mut Draw<'_>) -> Self {
         let format = draw.format();
         let kind = draw.byte();
-        let (raw, lit) = (kind % 8 == 0, kind % 4 < 2);
+        let (raw, lit) = (kind.is_multiple_of(8), kind % 4 < 2);
         let formula = Formula::ALL[usize::from(draw.byte()) % Formula::ALL.len()];
         let light = draw.light();
         let levels = [(); 4].map(|()| if raw { draw.any(format) } else { level(draw, format) });

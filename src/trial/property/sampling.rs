@@ -55,7 +55,7 @@ struct Sample {
 impl Sample {
     fn new(draw: &mut Draw<'_>) -> Self {
         let format = draw.format();
-        let raw = draw.byte() % 8 == 0;
+        let raw = draw.byte().is_multiple_of(8);
         let light = draw.light();
         if raw {
             let mut any = || draw.any(format);

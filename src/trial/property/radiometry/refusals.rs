@@ -15,6 +15,11 @@ pub struct Refusals(pub Lamp);
 
 type Answer<S> = Result<S, RadiometryError<S>>;
 
+type Refused<S> = Option<RadiometryError<S>>;
+
+/// A lamp's formula, its answer, and why it should be refused.
+type Asked<S> = (Formula, Answer<S>, Refused<S>);
+
 impl Visitor for Refusals {
     type Output = Result<(), Broken>;
 
@@ -22,12 +27,11 @@ impl Visitor for Refusals {
         let Self(lamp) = self;
         let case = lamp.case();
         let Held { levels: [a, b, c, d], truth, .. } = Held::<T::Scalar>::new(&lamp);
-        type Refused<S> = Option<RadiometryError<S>>;
         let power: Refused<T::Scalar> = (!finite(a)).then_some(RadiometryError::Power(a));
         let area = (!positive(b)).then_some(RadiometryError::Area(b));
         let solid_angle = (!positive(c)).then_some(RadiometryError::SolidAngle(c));
         let length = (!positive(b)).then_some(RadiometryError::Length(b));
-        let asked: [(Formula, Answer<T::Scalar>, Refused<T::Scalar>); 5] = [
+        let asked: [Asked<T::Scalar>; 5] = [
             (Formula::AreaRadiance, area_radiance(a, b, c), power.or(area).or(solid_angle)),
             (Formula::LambertianRadiance, lambertian_radiance(a, b), power.or(area)),
             (Formula::LambertianRadiance, non_directional_radiance(a, b), power.or(area)),
