@@ -72,9 +72,10 @@ impl Visitor for Errors {
         let Held { levels, cosines, truth } = Held::<T::Scalar>::new(&lamp);
         let [least, most] = ends(lamp.format);
         let allowed = levels.into_iter().all(|level| level > T::Scalar::ZERO);
-        // A sphere is not larger than its distance, which has to be a number.
+        // A sphere is not larger than its distance, which has to be a normal number: a subnormal one has lost digits.
         let distance = libm::hypot(libm::hypot(lamp.levels[0], lamp.levels[1]), lamp.levels[2]);
-        let outside = lamp.formula != Formula::SmallSphere || (truth.value() > 1.01 && distance < 0.99 * most);
+        let outside =
+            lamp.formula != Formula::SmallSphere || (truth.value() > 1.01 && (least..0.99 * most).contains(&distance));
         let within = truth.value() <= most * (1.0 - 0.01);
         if lamp.raw || !allowed || !outside || !within {
             return None;
