@@ -13,7 +13,7 @@ pub use points::points;
 pub use turn::sin_cos;
 
 use crate::light::LightError;
-use crate::real::{Constant, Real, Scalar, within_one};
+use crate::real::{Constant, Real, Scalar, at_most, positive, within_one};
 use crate::specular::finite;
 use crate::sphere::DistantSphere;
 use crate::vec3::{each, zip};
@@ -56,9 +56,11 @@ impl<T: Real> Cone<T> {
         let [sin, cos, versine] = each([light.sin, light.cos, light.versine], T::scalar);
         let narrow = cos >= zero;
         let scaled = scale::<T>() * sin;
+        // The full sphere has -2 for its cosine.
+        let size = if narrow { cos } else { at_most(zero - cos, one) };
         // Tangent of half the angular radius, or of half of what that leaves of 180 degrees: at most 1. Neither it nor the
         // versine of a small disc is taken from the light's versine, which is subnormal in f16.
-        let tangent = sin / (one + if narrow { cos } else { zero - cos });
+        let tangent = sin / (one + size);
         let square = tangent * tangent;
         let (versine, scaled_versine) =
             if narrow { (sin * tangent, scaled * tangent) } else { (versine, scale::<T>() * versine) };
@@ -102,7 +104,7 @@ impl<T: Real> Cone<T> {
         let [z, turn] = point;
         let z = within_one(T::of_lane(z));
         let across = self.across(T::of_lane(turn));
-        let direction = self.at(z, across);
+        let direction = self.at(z, T::Scalar::ONE - z, across);
         if self.contains(direction) { direction } else { self.pulled_in(z, across, direction) }
     }
 
@@ -164,9 +166,10 @@ impl<T: Real> Cone<T> {
         T::diff(T::narrow(cos), t, T::narrow(T::Scalar::ZERO - sin), b)
     }
 
+    /// The direction at `z`, `rest` being `1 - z` with digits of its own: beside `-l` the angle hangs on them.
     #[inline]
-    fn at(&self, z: T::Scalar, across: [T; 3]) -> [T; 3] {
-        let sin = self.reach * (z * (self.near + self.far * (T::Scalar::ONE - z))).root();
+    fn at(&self, z: T::Scalar, rest: T::Scalar, across: [T; 3]) -> [T; 3] {
+        let sin = self.reach * (z * (self.near + self.far * rest)).root();
         T::rim(self.l, T::narrow(z * self.versine), across, T::square(across), T::narrow(sin))
     }
 
@@ -182,10 +185,12 @@ impl<T: Real> Cone<T> {
     fn pulled_in(&self, z: T::Scalar, across: [T; 3], outside: [T; 3]) -> [T; 3] {
         let beyond = self.chord_square_to(outside) - self.chord_square;
         let beyond = if self.narrow { beyond } else { T::Scalar::ZERO - beyond };
-        // The square of the chord is 2 w z.
-        let mut pull = beyond * T::Scalar::constant(PI) / self.solid_angle;
-        while pull > T::Scalar::ZERO && pull < T::Scalar::ONE {
-            let direction = self.at(within_one(z - pull), across);
+        // The square of the chord is 2 w z. In f16 that may underflow.
+        let pulls = [beyond * T::Scalar::constant(PI) / self.solid_angle].into_iter();
+        let mut pull =
+            pulls.chain(LEAST_PULLS.map(T::Scalar::constant)).find(|&pull| positive(pull)).unwrap_or(T::Scalar::ONE);
+        while pull < T::Scalar::ONE {
+            let direction = self.at(within_one(z - pull), T::Scalar::ONE - z + pull, across);
             if self.contains(direction) {
                 return direction;
             }
@@ -196,6 +201,9 @@ impl<T: Real> Cone<T> {
 }
 
 const PI: Constant = Constant::new(core::f64::consts::PI);
+
+/// The least numbers of f16: with subnormals, and where those are flushed.
+const LEAST_PULLS: [Constant; 2] = [Constant::new(1.0 / (1 << 24) as f64), Constant::new(1.0 / (1 << 14) as f64)];
 
 const TAU: Constant = Constant::new(core::f64::consts::TAU);
 

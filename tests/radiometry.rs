@@ -372,3 +372,16 @@ fn raw_bits_are_within_their_last_place() {
     assert!(matches!(area_radiance_q16(1, 0, 1), Err(RadiometryError::Area(_))));
     assert_eq!(area_radiance_q16(u32::MAX, 65_535, 65_536), Err(RadiometryError::Overflow));
 }
+
+/// Factors whose reciprocals f16 does not have: 1 over 7.6e-6 is infinite, 1 over 60 000 is subnormal.
+#[test]
+fn f16_holds_answers_whose_factors_have_no_reciprocal() {
+    let half = f16::from_f64;
+    assert_eq!(area_radiance(f16::ZERO, half(7.6e-6), f16::ONE), Ok(f16::ZERO));
+    let near = |value: f16, truth: f64| assert!((value.to_f64() / truth - 1.0).abs() < 2.1e-3, "{value} {truth}");
+    // 40 000 W/sr at 200 m, and a patch of 60 000 m^2 seen from 60 000 / 250 m, far from the middle of the range.
+    near(irradiance(half(40_000.0), f16::ONE, half(200.0)), 1.0);
+    let patch = Patch { area: half(60_000.0), cos: f16::ONE };
+    near(flux(half(1.5), patch, patch, half(60_000.0)), 1.5);
+    assert_eq!(irradiance(half(1e-7), half(1e-4), half(1.0)), f16::ZERO);
+}

@@ -1,8 +1,7 @@
 //! The colour of a temperature at three wavelengths.
 
 use crate::exponential::{complement, shrunk};
-use crate::product::saturated;
-use crate::real::{Constant, Scalar};
+use crate::real::{Constant, Scalar, within_one};
 use crate::vec3::each;
 
 /// The second radiation constant `hc / k` in micrometres times kilokelvins.
@@ -15,6 +14,7 @@ const SECOND: Constant = Constant::new(14.387_768_775_039_338);
 /// embers of 0.8 kK, whose visible light is 1e-9 of their peak, have a colour in f16 too.
 ///
 /// Wavelengths may differ by a factor of up to 8. Zeros where the temperature or a wavelength is zero, negative or not finite.
+/// The greatest level is exactly 1.
 /// Worst absolute error of a level, for 0.8 to 40 kK at wavelengths of 0.38 to 0.78 micrometres
 /// (`tests/blackbody.rs`): f64 6.5e-15, f32 and micromath
 /// 1.2e-6, f16 8.5e-3, fixed point 1.3e-8.
@@ -49,7 +49,8 @@ pub fn tint<S: Scalar>(temperature: S, wavelengths: [S; 3]) -> [S; 3] {
         shrunk(square * square * ratio, lower) * (longest_rest / complement(exponent))
     });
     let greatest = greatest(levels);
-    each(levels, |level| saturated(level / greatest))
+    // Not every format divides a number by itself to the last place.
+    each(levels, |level| if level == greatest { S::ONE } else { within_one(level / greatest) })
 }
 
 #[inline]

@@ -108,6 +108,8 @@ impl<S: Scalar> SphereLight<S> {
 
     /// Radiance of the three channels: `colour (d / R)^2`.
     ///
+    /// A distance that is subnormal, in f16 below 6.1e-5, has few digits, and so has the radiance then.
+    ///
     /// # Errors
     /// [`RadiometryError::Overflow`] where that is infinite, in f16 from a white Sun's 46 239 times 1.417 on.
     pub fn radiance(&self) -> Result<[S; 3], RadiometryError<S>> {

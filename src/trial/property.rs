@@ -7,6 +7,7 @@
 
 pub mod blackbody;
 pub mod directions;
+pub mod figures;
 pub mod highlight;
 pub mod normalization;
 pub mod radiometry;
