@@ -4,7 +4,7 @@ mod exact;
 
 use std::f64::consts::FRAC_PI_2;
 
-use ::fixed::types::{I2F14, I2F30};
+use ::fixed::types::{I2F14, I2F30, I16F16};
 use exact::{Big, assert_tight, big, fixed, lsbs, pi, square, ulps, worst};
 use half::f16;
 use micromath::F32;
@@ -184,4 +184,15 @@ fn quotient_of_squares_is_lost_in_i2f14() {
     assert_eq!(old, [None, None, Some(I2F14::ZERO), Some(I2F14::ZERO)]);
     assert_eq!(point, I2F30::ONE);
     assert!(sun > disc && disc > half_sky && half_sky > 0);
+}
+
+/// `alpha / alpha'` of 0.002 fits I16F16, its square of 4e-6 does not: a quarter of its last place.
+#[test]
+fn square_of_the_quotient_is_lost_in_i16f16() {
+    let [alpha, ratio] = [1e-3, 0.998].map(I16F16::from_num);
+    let quotient = alpha / (alpha + ratio / 2);
+    assert!(quotient > 0);
+    assert_eq!(quotient * quotient, I16F16::ZERO);
+    let factor: f64 = karis_q30(I2F30::from_num(1e-3), I2F30::from_num(0.998)).unwrap().to_num();
+    assert!((factor / 4e-6 - 1.0).abs() < 1e-3, "{factor:e}");
 }

@@ -334,3 +334,50 @@ fn beyond_half_the_sky_a_highlight_is_that_of_half() {
         }
     }
 }
+
+/// A mirror under a point light, a viewer in the surface or opposite the light: where GGX is zero over zero.
+struct Singular;
+
+impl Visitor for Singular {
+    type Output = ();
+
+    fn visit<T: Real>(self) {
+        let lanes = |v: [f64; 3]| v.map(T::from_f64);
+        let [up, down, aside, slanted] =
+            [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8]].map(lanes);
+        let mirrored = lanes([-0.6, 0.0, 0.8]);
+        for ratio in [0.0, 0.00465, 1.0] {
+            let sphere = DistantSphere::<T>::of(&DistantLight::from_ratio(ratio).unwrap());
+            for method in Shading::ALL {
+                for alpha in [0.0, 5e-4, 1.0] {
+                    let glossy = Glossy { alpha, f0: 0.04, ratio };
+                    let of = |v, l| method.radiance(&glossy, &sphere, [up, v, l]);
+                    let name = format!("{} in {}: ratio {ratio}, alpha {alpha}", method.name(), T::NAME);
+                    // Straight on, mirrored at a slant: the very centre of the disc.
+                    for level in [of(up, up), of(slanted, mirrored)] {
+                        assert!(level.is_finite() && level >= 0.0, "{name}: {level}");
+                    }
+                    // From within the surface and from below; from opposite the light, where the half vector has no direction.
+                    assert_eq!([of(aside, slanted), of(down, up)], [0.0; 2], "{name}");
+                    let through = [of(slanted, down), of(slanted, lanes([-0.6, 0.0, -0.8]))];
+                    // Half of the sky reaches above the surface from there.
+                    assert!(through.into_iter().all(|level| level == 0.0 || ratio == 1.0 && level.is_finite()), "{name}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn mirrors_points_and_grazing_viewers_are_finite_in_every_format() {
+    let plain = |n_dot_h: f32, alpha: f32| {
+        let rest = n_dot_h * n_dot_h * (alpha * alpha - 1.0) + 1.0;
+        alpha * alpha / (rest * rest)
+    };
+    assert!(plain(1.0, 0.0).is_nan());
+    let shadowed = |n_dot_v: f32, alpha: f32| n_dot_v / (n_dot_v * (1.0 - alpha) + alpha);
+    assert!(shadowed(0.0, 0.0).is_nan());
+    let half = <f32 as Real>::dot([0.0; 3], [0.0; 3]).sqrt().recip() * 0.0;
+    assert!(half.is_nan());
+    Format::ALL.into_iter().for_each(|format| format.visit(Singular));
+}
