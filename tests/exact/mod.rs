@@ -68,7 +68,7 @@ pub fn last_place<T: Float>(truth: &Big) -> i32 {
 
 /// The greatest of some errors; a NaN among them is one.
 pub fn worst(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.fold(0.0, |most, error| if error <= most { most } else { error })
+    errors.fold(0.0, |most, error| if most.is_nan() || error <= most { most } else { error })
 }
 
 /// Holds a bound, and holds it to be no looser than four times what occurs.
