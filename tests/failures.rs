@@ -5,8 +5,9 @@
 
 use fixed::types::{I2F14, I2F30};
 use half::f16;
-use sunglint::trial::{Format, Method, budget, input, lights};
 use sunglint::light::{ASTRONOMICAL_UNIT_KM, SOLAR_RADIUS_KM};
+use sunglint::trial::found::worse;
+use sunglint::trial::{Format, Method, budget, input, lights};
 use sunglint::{DistantLight, DistantSphere, Real, SUN, UnfactoredSphere, cap, disc, epic, factored, oracle};
 
 const RATIO: f64 = 0.00465;
@@ -108,8 +109,8 @@ fn factored_with_every_product_rounded_has_no_disc() {
         let (l, r) = scene::<I2F14>(f64::from(step) * 0.1 * theta);
         let exact = oracle::factored_direction(l.map(I2F14::to_f64), r.map(I2F14::to_f64), RATIO);
         let error = |answer: [I2F14; 3]| oracle::angle_between(answer.map(I2F14::to_f64), exact) / theta;
-        strict = strict.max(error(strictly_factored(l, r)));
-        wide = wide.max(error(factored(l, r, &sphere(RATIO))));
+        strict = worse(strict, error(strictly_factored(l, r)));
+        wide = worse(wide, error(factored(l, r, &sphere(RATIO))));
     }
     assert_near(strict, 0.69, 0.005);
     // The budget of `factored` in units of the radius.
@@ -334,7 +335,7 @@ fn unguarded<T: Real>() -> f64 {
         let (l, r) = (floats::<T>(pair.l), floats::<T>(oracle::nearest_in_disc(pair.l, pair.r, away)));
         let e = [0, 1, 2].map(|i| T::sub(r[i], l[i]));
         let s = T::normalize(T::diff(T::WIDE_ONE, e, T::dot(e, l), l));
-        worst = worst.max(turn(l, s, 1.0).to_degrees());
+        worst = worse(worst, turn(l, s, 1.0).to_degrees());
     }
     worst
 }

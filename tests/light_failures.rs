@@ -98,9 +98,8 @@ fn one_branch_for_all_angles_divides_by_zero() {
 /// From within the sphere there is no disc: the published form is the root of a negative number.
 #[test]
 fn inside_the_sphere_there_is_no_disc() {
-    let published = |radius: f64, distance: f64| {
-        2.0 * PI * (1.0 - (distance * distance - radius * radius).sqrt() / distance)
-    };
+    let published =
+        |radius: f64, distance: f64| 2.0 * PI * (1.0 - (distance * distance - radius * radius).sqrt() / distance);
     assert!(published(2.0, 1.0).is_nan());
     assert_eq!(published(1.0, 1.0), 2.0 * PI);
     let error = DistantLight::from_radius_and_distance(2.0, 1.0).unwrap_err();

@@ -13,7 +13,7 @@ use plant::{Off, Rough, format};
 use sunglint::oracle::planck::Law;
 use sunglint::trial::quantity::Quantity;
 use sunglint::trial::radiometry::Formula;
-use sunglint::trial::{self, Format, Method, Shading, blackbody, budget, gloss, input, judge};
+use sunglint::trial::{self, Method, Shading, blackbody, budget, gloss, input, judge};
 use sunglint::{Float, Real, SUN, Scalar};
 
 /// What a family's judge finds in a format, in units of its budget.
@@ -31,7 +31,10 @@ fn catches_steps_in<T: Real, const STEPS: u8, const SUMS: bool>(name: &str, fami
 
 fn catches_rough_roots_in<T: Float + Real, const PLACES: u8>(name: &str, family: &impl Family) {
     let [sound, planted] = [family.part::<Rough<T, 0>>(), family.part::<Rough<T, PLACES>>()];
-    println!("{name} in {}: {sound:.2} of the budget, with roots and quotients {PLACES} places off {planted:.2}", T::FORMAT);
+    println!(
+        "{name} in {}: {sound:.2} of the budget, with roots and quotients {PLACES} places off {planted:.2}",
+        T::FORMAT
+    );
     assert!(sound <= 1.0, "{name} in {}: {sound}", T::FORMAT);
     assert!(planted > 1.0, "{name} in {}: {PLACES} places pass for {planted}", T::FORMAT);
 }
@@ -159,7 +162,6 @@ impl Family for Radiometry {
     }
 }
 
-
 /// A quantity's answer, planted: worst distance from the truth in units of the last place.
 fn worst_quantity<T: Float + Real>(quantity: Quantity, places: f64) -> f64 {
     let ratios = spread(1000, 1e-6, 1.0).map(T::nearest);
@@ -234,7 +236,8 @@ struct Planck(Law);
 
 impl Family for Planck {
     fn part<T: Real>(&self) -> f64 {
-        blackbody::relative_error::<T>(self.0, 1, 20_000).max / blackbody::RELATIVE[self.0 as usize][format::<T>() as usize]
+        blackbody::relative_error::<T>(self.0, 1, 20_000).max
+            / blackbody::RELATIVE[self.0 as usize][format::<T>() as usize]
     }
 }
 

@@ -4,7 +4,7 @@ mod exact;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use exact::{Big, assert_tight, big, pi, square, worst};
+use exact::{Big, assert_tight, big, pi, square, worse, worst};
 use fixed::types::{I2F14, I2F30, I16F16};
 use half::f16;
 use micromath::F32;
@@ -355,7 +355,7 @@ fn raw_bits_are_within_their_last_place() {
         for i in 0..3 {
             let truth = 65_536.0 * truths[i];
             if truth < 4_294_967_000.0 {
-                errors[i] = errors[i].max(((f64::from(answers[i]) - truth).abs() - 0.5) / truth);
+                errors[i] = worse(errors[i], ((f64::from(answers[i]) - truth).abs() - 0.5) / truth);
             } else if truth >= 4_294_968_000.0 {
                 assert_eq!(answers[i], u32::MAX);
             }
