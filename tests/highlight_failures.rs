@@ -415,7 +415,8 @@ impl Visitor for MirroredRim {
             let glossy = Glossy { alpha: 0.0, f0: 1.0, ratio: self.ratio };
             let [n, v, l] = [pixel.n, pixel.v, l].map(|vector| vector.map(T::from_f64));
             let level = Shading::ConeGgx.radiance(&glossy, &sphere, [n, v, l]) * light.size_factor();
-            let name = format!("{} at {}, {} degrees, {part} of the radius at {turn}", T::NAME, self.ratio, self.degrees);
+            let name =
+                format!("{} at {}, {} degrees, {part} of the radius at {turn}", T::NAME, self.ratio, self.degrees);
             assert_eq!(level > 0.0, part < 1.0, "{name}: {level}");
         }
     }

@@ -181,7 +181,7 @@ fn cap_turns_by_more_than_a_right_angle() {
             assert_eq!(outcome.undirected, 0, "{} at {angle}", format.name());
             outcome.max
         });
-        assert_tight(worst(outcomes), budget, format.name());
+        assert_tight(worst(outcomes.into_iter()), budget, format.name());
     }
 }
 

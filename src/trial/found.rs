@@ -6,8 +6,8 @@ pub fn worse(a: f64, b: f64) -> f64 {
 }
 
 /// The greatest of some errors; NaN if any is.
-pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
-    errors.into_iter().fold(0.0, worse)
+pub fn worst(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.fold(0.0, worse)
 }
 
 /// Worst and mean square of an error, and where the worst was.

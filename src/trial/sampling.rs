@@ -89,7 +89,7 @@ pub fn basis_error<T: Real>(seed: u64, count: usize) -> Found {
         let l = l.map(T::to_f64);
         let right = |a, b| (oracle::angle_between(a, b) - core::f64::consts::FRAC_PI_2).abs();
         let long = |v: [f64; 3]| (libm::hypot(libm::hypot(v[0], v[1]), v[2]) - 1.0).abs();
-        let error = worst([right(t, l), right(b, l), right(t, b), long(t), long(b)]);
+        let error = worst([right(t, l), right(b, l), right(t, b), long(t), long(b)].into_iter());
         found.add(error, [l[0], l[1], l[2], 0.0, 0.0, 0.0]);
     }
     found
