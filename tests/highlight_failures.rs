@@ -414,10 +414,10 @@ impl Visitor for MirroredRim {
             let l = [0, 1, 2].map(|i| angle.cos() * pixel.l[i] + angle.sin() * toward[i]);
             let glossy = Glossy { alpha: 0.0, f0: 1.0, ratio: self.ratio };
             let [n, v, l] = [pixel.n, pixel.v, l].map(|vector| vector.map(T::from_f64));
-            let level = Shading::ConeGgx.radiance(&glossy, &sphere, [n, v, l]) * light.size_factor();
+            let [cone, karis] = [Shading::ConeGgx, Shading::Karis].map(|m| m.radiance(&glossy, &sphere, [n, v, l]));
             let name =
                 format!("{} at {}, {} degrees, {part} of the radius at {turn}", T::NAME, self.ratio, self.degrees);
-            assert_eq!(level > 0.0, part < 1.0, "{name}: {level}");
+            assert_eq!([cone > 0.0, karis > 0.0], [part < 1.0; 2], "{name}: {cone} {karis}");
         }
     }
 }
