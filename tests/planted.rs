@@ -217,7 +217,8 @@ fn quantities_in_fixed_point() {
         };
         let [sound, below, above] = [0.0, -1.0, 1.0].map(errors);
         println!("{}: {sound:.2}, a step below {below:.2}, above {above:.2}", quantity.name());
-        assert!(sound <= 1.0 && below > 1.0 && above > 1.0, "{}", quantity.name());
+        // Documented is 1; half of that is what rounding, in place of cutting off, gives.
+        assert!(sound <= 0.51 && below > 1.0 && above > 1.0, "{}", quantity.name());
     }
 }
 
