@@ -5,7 +5,7 @@ mod exact;
 
 use std::f64::consts::PI;
 
-use exact::{Big, assert_tight, big, distance, last_place, pi, spread, worst};
+use exact::{Big, assert_tight, big, distance, last_place, pi, spread, worse, worst};
 use half::f16;
 use micromath::F32;
 use sunglint::blackbody::{
@@ -129,10 +129,10 @@ fn all_of_f16() {
         let (mut relative, mut absolute) = (0.0_f64, 0.0_f64);
         for ratio in (1..=f16::MAX.to_bits()).map(f16::from_bits) {
             let [error, truth] = error_at(law, ratio);
-            absolute = absolute.max(error);
+            absolute = worse(absolute, error);
             assert!(error.is_finite(), "{ratio}");
             if (least..=most).contains(&ratio.to_f64()) {
-                relative = relative.max(error / truth);
+                relative = worse(relative, error / truth);
             }
         }
         assert_tight("relative, all of f16", relative, RELATIVE[law as usize][Format::F16 as usize]);
@@ -374,13 +374,13 @@ fn raw_bits_are_the_generic_functions() {
         let [by_wavelength, by_frequency] = [relative_to_peak_q16(ratio), relative_to_peak_frequency_q16(ratio)];
         assert_eq!(i64::from(by_wavelength), relative_to_peak(scaled).to_bits(30).min(1 << 30));
         assert_eq!(i64::from(by_frequency), relative_to_peak_frequency(scaled).to_bits(30).min(1 << 30));
-        laws = laws.max(lsbs(by_wavelength, Law::Wavelength.relative(value(ratio))));
-        laws = laws.max(lsbs(by_frequency, Law::Frequency.relative(value(ratio))));
+        laws = worse(laws, lsbs(by_wavelength, Law::Wavelength.relative(value(ratio))));
+        laws = worse(laws, lsbs(by_frequency, Law::Frequency.relative(value(ratio))));
         let (temperature, wavelengths) = (next(0.8, 40.0), [0; 3].map(|_| next(0.38, 0.78)));
         let truth = wavelengths.map(|w| Law::Wavelength.radiance(1e-6 * value(w), 1000.0 * value(temperature)));
         let greatest = truth.into_iter().fold(0.0, f64::max);
         for (level, truth) in tint_q16(temperature, wavelengths).into_iter().zip(truth) {
-            tints = tints.max(lsbs(level, truth / greatest));
+            tints = worse(tints, lsbs(level, truth / greatest));
         }
     }
     assert_tight("relative laws, LSB of Q30", laws, 5.0);

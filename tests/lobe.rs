@@ -7,6 +7,7 @@ use sunglint::SUN;
 use sunglint::oracle::highlight::{Glossy, Pixel};
 use sunglint::oracle::quadrature::{Lobe, Quadrature};
 use sunglint::trial::Shading;
+use sunglint::trial::found::{self, worse};
 
 const ALPHAS: [f64; 7] = [0.0, 5e-4, 2e-3, 8e-3, 0.0625, 0.25, 1.0];
 
@@ -45,7 +46,7 @@ fn rows<const N: usize>(ratio: f64, incidences: &[f64]) -> Vec<Row> {
 }
 
 fn worst(rows: &[Row], method: Shading, error: impl Fn(&Lobe) -> f64) -> f64 {
-    rows.iter().map(|row| error(row.of(method))).fold(0.0, f64::max)
+    found::worst(rows.iter().map(|row| error(row.of(method))))
 }
 
 fn energy(lobe: &Lobe) -> f64 {
@@ -120,8 +121,7 @@ fn the_documented_figures_are_those_of_the_sun() {
         for (method, documented) in Shading::ALL.into_iter().zip(DOCUMENTED) {
             // A point of no roughness has no peak to be too bright.
             let mirror = method != Shading::None;
-            let found =
-                rows.iter().filter(|row| mirror || row.alpha > 0.0).map(|row| l1(row.of(method))).fold(0.0, f64::max);
+            let found = found::worst(rows.iter().filter(|row| mirror || row.alpha > 0.0).map(|row| l1(row.of(method))));
             let documented = documented[index];
             println!("{} at {incidence} degrees: {found:.3e}, documented {documented}", method.name());
             // One digit or two.
@@ -145,7 +145,7 @@ fn doubling_the_nodes_of_the_highlight_moves_no_figure() {
             let fine = Quadrature::<24>::new().lobes(&glossy, incidence.to_radians(), methods(glossy));
             for ((worst, coarse), fine) in worst.iter_mut().zip(&coarse).zip(&fine) {
                 let [energy, l1] = [coarse.energy - fine.energy, coarse.relative_l1 - fine.relative_l1];
-                *worst = worst.max(energy.abs()).max(l1.abs());
+                *worst = worse(worse(*worst, energy.abs()), l1.abs());
             }
         }
     }

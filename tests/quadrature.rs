@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use oorandom::Rand64;
 use sunglint::oracle::highlight::{Glossy, Pixel};
 use sunglint::oracle::quadrature::Quadrature;
+use sunglint::trial::found::{worse, worst};
 
 const ALPHAS: [f64; 6] = [5e-4, 2e-3, 8e-3, 0.0625, 0.25, 1.0];
 
@@ -34,7 +35,7 @@ fn moved<const N: usize, const M: usize>(glossy: &Glossy, incidence: f64, count:
     let (coarse, fine) = (Quadrature::<N>::new(), Quadrature::<M>::new());
     let middle = fine.highlight(glossy, &pixel(incidence, 0.0, 0.0));
     let apart = |pixel| (coarse.highlight(glossy, &pixel) - fine.highlight(glossy, &pixel)).abs() / middle;
-    pixels(glossy, incidence, count).map(apart).fold(0.0, f64::max)
+    worst(pixels(glossy, incidence, count).map(apart))
 }
 
 fn worst_moved<const N: usize, const M: usize>(ratios: &[f64], degrees: &[f64], count: usize) -> f64 {
@@ -43,7 +44,7 @@ fn worst_moved<const N: usize, const M: usize>(ratios: &[f64], degrees: &[f64], 
         for alpha in ALPHAS {
             for incidence in degrees {
                 let glossy = Glossy { alpha, f0: 0.04, ratio };
-                worst = worst.max(moved::<N, M>(&glossy, incidence.to_radians(), count));
+                worst = worse(worst, moved::<N, M>(&glossy, incidence.to_radians(), count));
             }
         }
     }

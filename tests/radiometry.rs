@@ -4,7 +4,7 @@ mod exact;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use exact::{Big, assert_tight, big, pi, square, worst};
+use exact::{Big, assert_tight, big, pi, square, worse, worst};
 use fixed::types::{I2F14, I2F30, I16F16};
 use half::f16;
 use micromath::F32;
@@ -276,8 +276,42 @@ fn lamps_that_cannot_be_are_refused_with_value_and_range() {
         let error = SphereLight::of_direction(direction, 1.0, 0.1, [1.0; 3]).unwrap_err();
         assert!(matches!(error, RadiometryError::Length(_)), "{error}");
     }
+    // The ends themselves are allowed: the greatest power, and a sphere that touches what it lights.
+    assert_eq!(point_intensity(f32::MAX), Ok(f32::MAX / (4.0 * std::f32::consts::PI)));
+    assert!(SphereLight::of_direction([0.0, 0.0, 1.0], 2.0, 2.0, [1.0; 3]).is_ok());
     let nowhere = SphereLight::of_point([1.0; 3], [1.0; 3], 0.1, [1.0; 3]).unwrap_err();
     assert_eq!(nowhere, RadiometryError::Length(0.0));
+}
+
+/// A light behind all three planes of the axes, and one whose lanes differ in sign and size: as bright as its mirror image.
+#[test]
+fn a_sphere_light_does_not_mind_the_sign_of_its_place() {
+    fn check<T: Real>() {
+        let levels = |v: [f64; 3]| v.map(T::Scalar::nearest);
+        let bits = |light: Result<SphereLight<T::Scalar>, _>| {
+            let light: SphereLight<T::Scalar> = light.map_err(|_: RadiometryError<T::Scalar>| ()).unwrap();
+            light.radiance().unwrap().map(Scalar::exact)
+        };
+        let (scalar, colour) = (T::Scalar::nearest, levels([1.0, 0.5, 0.25]));
+        for place in [[1.0, 2.0, 2.0], [0.5, 300.0, 20.0], [2.0, 2.0, 1.0]] {
+            let all: Vec<_> = [[1.0; 3], [-1.0; 3], [1.0, -1.0, 1.0], [-1.0, 1.0, -1.0], [1.0, 1.0, -1.0]]
+                .into_iter()
+                .map(|sign: [f64; 3]| {
+                    let place = levels([0, 1, 2].map(|i| sign[i] * place[i]));
+                    let lit = levels([0.0; 3]);
+                    let point = bits(SphereLight::of_point(place, lit, scalar(2.0), colour));
+                    [point, bits(SphereLight::of_direction(place, scalar(64.0), scalar(1.0), colour))]
+                })
+                .collect();
+            assert!(all.iter().all(|levels| *levels == all[0]), "{}: {all:?}", T::NAME);
+        }
+    }
+    check::<f64>();
+    check::<f32>();
+    check::<F32>();
+    check::<f16>();
+    check::<I2F14>();
+    check::<I2F30>();
 }
 
 /// A white surface that faces the sphere shows the light's colour: the disc's illuminance times the radiance, over
@@ -355,7 +389,7 @@ fn raw_bits_are_within_their_last_place() {
         for i in 0..3 {
             let truth = 65_536.0 * truths[i];
             if truth < 4_294_967_000.0 {
-                errors[i] = errors[i].max(((f64::from(answers[i]) - truth).abs() - 0.5) / truth);
+                errors[i] = worse(errors[i], ((f64::from(answers[i]) - truth).abs() - 0.5) / truth);
             } else if truth >= 4_294_968_000.0 {
                 assert_eq!(answers[i], u32::MAX);
             }

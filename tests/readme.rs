@@ -64,10 +64,15 @@ impl Visitor for Lost {
     }
 }
 
+/// What is under a heading.
+fn section(heading: &str) -> &'static str {
+    README.split(heading).nth(1).and_then(|rest| rest.split("\n## ").next()).unwrap()
+}
+
 /// Every system has a function that exists and a test that exists.
 #[test]
 fn every_system_names_its_function_and_its_test() {
-    let table = README.split("## What is in it, and what proves it").nth(1).unwrap();
+    let table = section("## What is in it, and what proves it");
     let rows: Vec<Vec<&str>> = table
         .lines()
         .filter(|line| line.starts_with("| ") && !line.starts_with("| system"))
@@ -85,12 +90,36 @@ fn every_system_names_its_function_and_its_test() {
             });
             assert!(declared, "{function} is nowhere");
         }
-        let (file, test) = row[3].split_once(": ").unwrap();
-        let path = format!("{}/tests/{}", env!("CARGO_MANIFEST_DIR"), file.trim_matches('`'));
-        let code = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
-        let name = test.split(',').next().unwrap().trim_matches('`');
-        let head = format!("#[test]\nfn {name}()");
-        assert!(code.contains(&head), "{test} is not in {path}");
+        assert_is_a_test(row[3]);
+    }
+}
+
+/// Holds that what a cell names, "`file`: `test`", is a test that is run.
+fn assert_is_a_test(cell: &str) {
+    let (file, test) = cell.split_once(": ").unwrap_or_else(|| panic!("{cell} names no test"));
+    let path = format!("{}/tests/{}", env!("CARGO_MANIFEST_DIR"), file.trim_matches('`'));
+    let code = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let name = test.split(',').next().unwrap().trim_matches('`');
+    let head = format!("#[test]\nfn {name}()");
+    assert!(code.contains(&head), "{test} is not in {path}");
+}
+
+/// Every failure on record has a test that exists, and every test of the catalogues is on record.
+#[test]
+fn every_failure_on_record_names_its_test() {
+    let rows = section("## Failures on record")
+        .lines()
+        .filter(|line| line.starts_with("| ") && !line.contains("| test in `tests/` |"));
+    let cells: Vec<&str> = rows.map(|line| line.trim_end_matches(" |").rsplit(" | ").next().unwrap()).collect();
+    assert!(cells.len() > 45, "{}", cells.len());
+    cells.iter().for_each(|cell| assert_is_a_test(cell));
+    for file in ["failures.rs", "light_failures.rs"] {
+        let path = format!("{}/tests/{file}", env!("CARGO_MANIFEST_DIR"));
+        let code = std::fs::read_to_string(&path).unwrap();
+        let names = code.split("#[test]\nfn ").skip(1).map(|rest| rest.split('(').next().unwrap());
+        for name in names {
+            assert!(cells.contains(&format!("`{file}`: `{name}`").as_str()), "{name} is not on record");
+        }
     }
 }
 

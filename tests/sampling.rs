@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use ::fixed::types::{I2F14, I2F30, I16F16};
-use exact::{assert_tight, worst};
+use exact::{assert_tight, worse, worst};
 use half::f16;
 use micromath::F32;
 use oorandom::Rand64;
@@ -181,7 +181,7 @@ impl Visitor for Outside {
                 let direction = cone.direction(point);
                 out.1 += usize::from(!cone.contains(direction));
                 let angle = oracle::angle_between(l.map(T::to_f64), direction.map(T::to_f64));
-                out.0 = out.0.max(angle - theta);
+                out.0 = worse(out.0, angle - theta);
             }
         }
         out

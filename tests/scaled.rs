@@ -224,3 +224,25 @@ fn no_exponent_panics() {
         std::hint::black_box((a.to_bits(60), a.to_bits(0), a.to_unsigned(63), a.exact()));
     }
 }
+
+/// What judges the above would see one place more or less.
+#[test]
+fn an_error_of_one_place_is_seen() {
+    fn off(value: Scaled, places: f64) -> Scaled {
+        let exact = value.exact();
+        let last = if exact == 0.0 { 0.0 } else { libm::scalbn(1.0, libm::ilogb(exact) + 1 - 31) };
+        Scaled::nearest(exact + places * last)
+    }
+    for places in [-1.0, 1.0] {
+        let sum = worst(pairs().map(|[a, b]| self::places(off(a + b, places), &(truth(a) + truth(b)))));
+        let product = worst(pairs().map(|[a, b]| self::places(off(a * b, places), &(truth(a) * truth(b)))));
+        let numbers = || hard().chain(random_pairs().flatten()).filter(|a| *a > Scaled::ZERO);
+        let root = worst(numbers().map(|a| self::places(off(a.root(), places), &truth(a).sqrt())));
+        println!("{places}: sum {sum:.2}, product {product:.2}, root {root:.2}");
+        assert!(sum > 0.5 && product > 0.5 && root > 1.1);
+    }
+    // A quotient may be two and a half places off.
+    let quotient = worst(pairs().map(|[a, b]| self::places(off(a / b, 1.0), &(truth(a) / truth(b)))));
+    println!("quotient {quotient:.2}");
+    assert!(quotient > 2.5);
+}

@@ -1,7 +1,13 @@
 //! The direction methods against the oracle: every budget holds and is tight, over random and hard directions, and the
 //! worst that a search has found (`tests/search.rs`).
 
+#[path = "exact/planted.rs"]
+#[allow(dead_code, reason = "only one of its formats is of use here")]
+mod planted;
+
+use planted::Off;
 use sunglint::trial::aim::{Aim, Cell, Place};
+use sunglint::trial::found::{self, worse};
 use sunglint::trial::judge::DISC_LOST;
 use sunglint::trial::{Format, Judgement, Method, Visitor, aim, budget, input, judge, lights, worst};
 use sunglint::{DistantLight, DistantSphere, Real, SUN, cap, factored, normalize, oracle, reflect};
@@ -138,7 +144,7 @@ fn cap_turns_by_more_than_a_right_angle() {
             assert_eq!(outcome.undirected, 0, "{} at {angle}", format.name());
             outcome.max / budget::of_any_light(Method::Cap, format, light.angular_radius()).unwrap()
         });
-        assert_tight(parts.into_iter().fold(0.0, f64::max), 1.0, format.name());
+        assert_tight(found::worst(parts.into_iter()), 1.0, format.name());
     }
 }
 
@@ -196,7 +202,7 @@ impl Visitor for Length {
             let sphere = DistantSphere::<T>::of(&light.light);
             for pair in input::random(6, PAIRS, light.light.angular_radius()) {
                 let answer = cap(pair.l.map(T::from_f64), pair.r.map(T::from_f64), &sphere).map(T::to_f64);
-                worst = worst.max((answer.iter().map(|lane| lane * lane).sum::<f64>().sqrt() - 1.0).abs());
+                worst = worse(worst, (answer.iter().map(|lane| lane * lane).sum::<f64>().sqrt() - 1.0).abs());
             }
         }
         worst
@@ -227,10 +233,32 @@ impl Visitor for Normalize {
             let length = self.shortest * (self.longest / self.shortest).powf(part);
             let v = pair.l.map(|lane| T::from_f64(lane * length));
             let unit = normalize(v).map(T::to_f64);
-            worst[0] = worst[0].max(oracle::angle_between(unit, v.map(T::to_f64)));
-            worst[1] = worst[1].max((unit.iter().map(|lane| lane * lane).sum::<f64>().sqrt() - 1.0).abs());
+            worst[0] = worse(worst[0], oracle::angle_between(unit, v.map(T::to_f64)));
+            worst[1] = worse(worst[1], (unit.iter().map(|lane| lane * lane).sum::<f64>().sqrt() - 1.0).abs());
         }
         worst
+    }
+}
+
+/// The measure of `normalize` in a format whose answers are a step off in one lane.
+struct StepOff(Normalize);
+
+impl Visitor for StepOff {
+    type Output = [f64; 2];
+
+    fn visit<T: Real>(self) -> [f64; 2] {
+        self.0.visit::<Off<T, 1>>()
+    }
+}
+
+#[test]
+fn a_step_in_one_lane_is_seen() {
+    for format in Format::ALL {
+        let [aim::Span { from, to, .. }] = aim::LENGTHS[format as usize];
+        let found = format.visit(StepOff(Normalize { shortest: from, longest: to }));
+        let [direction, _] = budget::normalize(format);
+        println!("{}: {:.2} of the budget", format.name(), found[0] / direction);
+        assert!(found[0] > direction, "{}", format.name());
     }
 }
 
@@ -259,7 +287,7 @@ impl Visitor for Reflect {
             let (n, v) = (n.map(T::to_f64), v.map(T::to_f64));
             let twice = 2.0 * (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
             for lane in 0..3 {
-                worst = worst.max((answer[lane] - (twice * n[lane] - v[lane])).abs());
+                worst = worse(worst, (answer[lane] - (twice * n[lane] - v[lane])).abs());
             }
         }
         worst

@@ -127,6 +127,9 @@ fn what_is_not_finite_has_the_documented_answer() {
             broken[lane] = bad;
             assert_eq!(cap(good, broken, &sun), good);
             assert_eq!(cap(broken, good, &sun), [0.0; 3]);
+            // As long as a light may be, and longer.
+            let [long, longer] = [2.0, 2.0_f32.next_up()].map(|z| [0.0, 0.0, z]);
+            assert_eq!([cap(long, broken, &sun), cap(longer, broken, &sun)], [long, [0.0; 3]]);
             assert_eq!(normalize(broken), [0.0; 3]);
         }
     }

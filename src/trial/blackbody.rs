@@ -6,7 +6,7 @@
 
 use oorandom::Rand64;
 
-use super::found::Found;
+use super::found::{Found, worst};
 use crate::blackbody::{
     WideRange, radiance_per_frequency, radiance_per_wavelength, relative_to_peak, relative_to_peak_frequency, tint,
 };
@@ -78,7 +78,7 @@ pub fn tint_error<T: Real>(seed: u64, count: usize) -> Found {
         let truth = wavelengths.map(|wavelength| Law::Wavelength.radiance(1e-6 * wavelength.exact(), kelvins));
         let greatest = truth.into_iter().fold(0.0, f64::max);
         let levels = tint(temperature, wavelengths).map(Scalar::exact);
-        let error = levels.iter().zip(truth).map(|(level, truth)| (level - truth / greatest).abs()).fold(0.0, f64::max);
+        let error = worst(levels.iter().zip(truth).map(|(level, truth)| (level - truth / greatest).abs()));
         let [a, b, c] = wavelengths.map(Scalar::exact);
         (error, [temperature.exact(), a, b, c, 0.0, 0.0])
     })

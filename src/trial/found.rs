@@ -1,5 +1,15 @@
 //! What came of comparing a kernel with its truth on many inputs.
 
+/// The greater of two errors; NaN if either is, which `f64::max` would drop.
+pub fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
+}
+
+/// The greatest of some errors; NaN if any is.
+pub fn worst(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.fold(0.0, worse)
+}
+
 /// Worst and mean square of an error, and where the worst was.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found<const INPUTS: usize = 6> {

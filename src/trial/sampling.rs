@@ -5,7 +5,7 @@
 
 use oorandom::Rand64;
 
-use super::found::Found;
+use super::found::{Found, worse, worst};
 use super::input;
 use crate::light::DistantLight;
 use crate::oracle;
@@ -89,7 +89,7 @@ pub fn basis_error<T: Real>(seed: u64, count: usize) -> Found {
         let l = l.map(T::to_f64);
         let right = |a, b| (oracle::angle_between(a, b) - core::f64::consts::FRAC_PI_2).abs();
         let long = |v: [f64; 3]| (libm::hypot(libm::hypot(v[0], v[1]), v[2]) - 1.0).abs();
-        let error = [right(t, l), right(b, l), right(t, b), long(t), long(b)].into_iter().fold(0.0, f64::max);
+        let error = worst([right(t, l), right(b, l), right(t, b), long(t), long(b)].into_iter());
         found.add(error, [l[0], l[1], l[2], 0.0, 0.0, 0.0]);
     }
     found
@@ -102,7 +102,7 @@ pub fn turn_error<T: Real>(turns: impl Iterator<Item = T>) -> Found {
         let [sin, cos] = sin_cos(T::of_lane(turn)).map(Scalar::exact);
         let turn = turn.to_f64();
         let [sine, cosine] = oracle::cone::turned(turn);
-        found.add((sin - sine).abs().max((cos - cosine).abs()), [turn, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        found.add(worse((sin - sine).abs(), (cos - cosine).abs()), [turn, 0.0, 0.0, 0.0, 0.0, 0.0]);
     }
     found
 }

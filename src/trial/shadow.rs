@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use oorandom::Rand64;
 
 use super::format::Format;
-use super::found::Found;
+use super::found::{Found, worse};
 use super::lights::{BUDGETED, Light};
 use super::sampling::lights;
 use crate::light::DistantLight;
@@ -82,7 +82,7 @@ pub fn error<T: Real>(light: &DistantLight, occluder: Occluder, count: u32, seed
             Occluder::Horizon => {
                 let share = overlap(theta, FRAC_PI_2, zenith) / oracle::cone::solid_angle(theta);
                 let most = libm::cos((zenith - theta).max(0.0));
-                (visible - share).abs().max((cosine - mean_cosine(theta, zenith)).abs() / most)
+                worse((visible - share).abs(), (cosine - mean_cosine(theta, zenith)).abs() / most)
             }
             _ => (visible - scene.visible(theta)).abs(),
         };

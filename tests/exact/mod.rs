@@ -1,5 +1,5 @@
 //! What the tests measure with: arithmetic in 192 bits, errors in units of the last place, and samples.
-#![allow(dead_code)] // Every test file uses its own part of this.
+#![allow(dead_code, unused_imports)] // Every test file uses its own part of this.
 
 pub mod lights;
 
@@ -7,6 +7,7 @@ use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use oorandom::Rand64;
 use sunglint::Float;
+pub use sunglint::trial::found::{worse, worst};
 
 pub type Big = FBig<HalfEven, 2>;
 
@@ -64,11 +65,6 @@ pub fn last_place<T: Float>(truth: &Big) -> i32 {
     };
     let size = truth.to_f64().value().abs();
     if size == 0.0 { least } else { least.max(libm::ilogb(size) + 1 - digits) }
-}
-
-/// The greatest of some errors; a NaN among them is one.
-pub fn worst(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.fold(0.0, |most, error| if error <= most { most } else { error })
 }
 
 /// Holds a bound, and holds it to be no looser than four times what occurs.
