@@ -39,7 +39,7 @@ fn sun_ratio() -> Big {
     big(6_957_000.0) / big(1_495_978_707.0)
 }
 
-/// All but the last computed with twice the format's digits, so that they have one bound.
+/// Computed with twice the format's digits, so that they have one bound.
 fn quantities<T: Float>(bound: f64) -> [Quantity<T>; 6] {
     let quantity = |name, computed, truth, bound| Quantity { name, computed, truth, bound };
     [
@@ -48,7 +48,7 @@ fn quantities<T: Float>(bound: f64) -> [Quantity<T>; 6] {
         quantity("size_factor", size_factor, projected, bound),
         quantity("inverse_size_factor", inverse_size_factor, |x| reciprocal(projected(x)), bound),
         quantity("white_radiance", white_radiance, |x| reciprocal(square(x)), bound),
-        quantity("sun_radius_at", sun_radius_at, |x| x * sun_ratio(), 2.0),
+        quantity("sun_radius_at", sun_radius_at, |x| x * sun_ratio(), bound),
     ]
 }
 
