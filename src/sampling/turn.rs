@@ -20,7 +20,7 @@ const COSINE: [Constant; TERMS] = series(2);
 ///
 /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
 /// |---|---|---|---|---|---|---|---|
-/// | worst | 2.6e-16 | 9.8e-8 | 9.8e-8 | 7.7e-4 | 5.2e-10 | 5.8e-10 | 5.5e-10 |
+/// | worst | 2.5e-16 | 8.3e-8 | 8.3e-8 | 6.2e-4 | 4.1e-10 | 4.9e-10 | 4.2e-10 |
 ///
 /// Turns below 0, and NaN, are taken for 0 and turns above 1 for 1.
 ///

@@ -210,15 +210,17 @@ pub fn exact_rp_of(bits: u64) -> f64 {
     }
 }
 
-/// Radiance of an intensity from 0.001 on, or of a lesser one, and a ratio.
-pub fn radiance_of(bits: u64, from_a_thousandth: bool) -> f64 {
+/// Radiance of an intensity from 0.001 on and a ratio from 1/4096 on; below, a number or an overflow.
+pub fn radiance_of(bits: u64) -> f64 {
     let [intensity, ratio] = pair(bits);
     let [i, x] = [intensity, ratio].map(f16::to_f64);
     let allowed = i >= 0.0 && i.is_finite();
-    if allowed && in_unit(x) && (i >= 0.001) != from_a_thousandth {
-        return 0.0;
+    let answer = radiance(intensity, ratio);
+    if allowed && in_unit(x) && x > 0.0 && (i < 0.001 || x < 1.0 / 4096.0) {
+        let overflow = answer == Err(LightError::Overflow("f16"));
+        return only(overflow || answer.is_ok_and(f16::is_finite));
     }
-    match radiance(intensity, ratio) {
+    match answer {
         Err(LightError::Ratio(_)) => only(!in_unit(x)),
         Err(LightError::Intensity(_)) => only(in_unit(x) && !allowed),
         Ok(answer) if x == 0.0 => only(answer == intensity),

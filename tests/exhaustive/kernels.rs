@@ -92,7 +92,7 @@ fn roots() -> Vec<Kernel> {
     vec![
         kernel(["root", "f32", "ULP"], ALL, 0.51, floats::root::<f32>),
         kernel(["root", "f16", "ULP"], ALL_16, 0.51, floats::root::<f16>),
-        kernel(["root", "micromath", "ULP"], ALL, 120.0, floats::root::<F32>),
+        kernel(["root", "micromath", "ULP"], ALL, 87.0, floats::root::<F32>),
     ]
 }
 
@@ -245,7 +245,7 @@ fn pairs() -> Vec<Kernel> {
     vec![
         kernel(["karis", "f16", "ULP"], ALL, 4.0, floats::karis_of),
         kernel(["exact_rp", "f16", "ULP"], ALL, 4.0, floats::exact_rp_of),
-        kernel(["radiance, intensity from 0.001", "f16", "ULP"], ALL, 3.0, |bits| floats::radiance_of(bits, true)),
+        kernel(["radiance, from 0.001 and 1/4096", "f16", "ULP"], ALL, 0.8, floats::radiance_of),
         kernel(["normalize_q14, (x, y, 0)", "I2F14", "LSB"], ALL, 0.6, |bits| {
             let [x, y] = [(bits >> 16) as i16, bits as i16];
             let [a, b, c] = normalize_q14([x, y, 0]);

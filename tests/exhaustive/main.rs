@@ -146,6 +146,6 @@ proofs! {
     relative_to_peak_frequency_q16: "relative_to_peak_frequency_q16";
     karis: "karis";
     exact_rp: "exact_rp";
-    radiance: "radiance, intensity from 0.001";
+    radiance: "radiance, from 0.001 and 1/4096";
     normalize: "normalize_q14, (x, y, 0)";
 }
