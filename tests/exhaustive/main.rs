@@ -3,7 +3,7 @@
 //!
 //! `cargo test` tries the recorded worst inputs again. All inputs, ten minutes on two cores:
 //! `cargo test --release --test exhaustive -- --ignored --nocapture --test-threads 1`; `SUNGLINT_RECORD=1` prints lines for
-//! `tests/worst/kernels.csv` in place of asserting that they are there.
+//! `tests/worst/kernels.csv` (the day is to be put in place of the time taken) and does not ask for those that are there.
 
 #[path = "../exact/mod.rs"]
 mod exact;
@@ -92,7 +92,10 @@ fn recorded_worst_cases_are_as_recorded_and_bounds_are_tight() {
 /// A spread of inputs, of which none may be worse than the recorded one.
 #[test]
 fn no_input_of_a_spread_is_worse_than_the_recorded() {
-    for (kernel, record) in kernels::all().iter().zip(records()) {
+    let kernels = kernels::all();
+    for record in records() {
+        let is_of = |kernel: &&Kernel| kernel.name == record.name && kernel.format == record.format;
+        let kernel = kernels.iter().find(is_of).unwrap_or_else(|| panic!("{} {}", record.name, record.format));
         let [first, last] = kernel.inputs;
         let step = ((last - first) / 50_000) | 1;
         for bits in (first..=last).step_by(step as usize).chain([last]) {
