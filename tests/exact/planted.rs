@@ -226,6 +226,7 @@ impl<T: Float + Real, const PLACES: u8> Float for Rough<T, PLACES> {
     const FORMAT: &'static str = T::FORMAT;
     const STEEP: [Self; 2] = pair(<T as Float>::STEEP);
     const SCALE: Self = Self(T::SCALE);
+    const TINY: Self = Self(T::TINY);
     const SAFE_SQUARE: [Self; 2] = pair(T::SAFE_SQUARE);
     const SPLITTER: Self = Self(T::SPLITTER);
     const PI: [Self; 2] = pair(T::PI);
