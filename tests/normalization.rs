@@ -168,20 +168,20 @@ fn worst_q30(
 #[test]
 fn quantities_in_integers() {
     let versines = worst_q30(ratios_q30(COUNT), 48, |x| versine_q30(x).unwrap().to_bits(), versine);
-    assert_tight("versine_q30, LSB", versines, 1.0);
+    assert_tight("versine_q30, LSB", versines, 0.51);
     let angles =
         worst_q30(ratios_q30(COUNT), 48, |x| solid_angle_q30(x).unwrap().to_bits(), |x| big(2.0) * pi() * versine(x));
-    assert_tight("solid_angle_q30, LSB", angles, 1.0);
+    assert_tight("solid_angle_q30, LSB", angles, 0.51);
     let positive = || ratios_q30(COUNT).filter(|&bits| bits > 0);
     let factors = worst_q30(positive(), 48, |x| size_factor_q30(x).unwrap().to_bits(), projected);
-    assert_tight("size_factor_q30, LSB", factors, 1.0);
+    assert_tight("size_factor_q30, LSB", factors, 0.51);
     // The least ratios have answers of 2^52 and more.
     let held = || ratios_q30(COUNT).filter(|&bits| bits > 16);
     let inverses =
         worst_q30(held(), 12, |x| inverse_size_factor_q30(x).unwrap().to_bits(), |x| reciprocal(projected(x)));
-    assert_tight("inverse_size_factor_q30, LSB", inverses, 1.0);
+    assert_tight("inverse_size_factor_q30, LSB", inverses, 0.51);
     let whites = worst_q30(held(), 12, |x| white_radiance_q30(x).unwrap().to_bits(), |x| reciprocal(square(x)));
-    assert_tight("white_radiance_q30, LSB", whites, 1.0);
+    assert_tight("white_radiance_q30, LSB", whites, 0.51);
 }
 
 #[test]
@@ -227,7 +227,7 @@ fn radiance_in_integers() {
             }
         }
     });
-    assert_tight("radiance_q12, LSB", worst(errors), 1.0);
+    assert_tight("radiance_q12, LSB", worst(errors), 0.51);
     assert_eq!(radiance_q12(U20F12::ONE, U16F48::ZERO), Err(LightError::Overflow("U52F12")));
 }
 
@@ -238,7 +238,7 @@ fn sun_radius_in_integers() {
         let computed = sun_radius_at_q16(I16F16::from_bits(bits)).unwrap();
         lsbs(computed.to_bits().into(), 16, &(fixed(bits.into(), 16) * sun_ratio()))
     });
-    assert_tight("sun_radius_at_q16, LSB", worst(errors), 1.0);
+    assert_tight("sun_radius_at_q16, LSB", worst(errors), 0.51);
     for bits in [0, -1, i32::MIN] {
         assert_eq!(sun_radius_at_q16(I16F16::from_bits(bits)), Err(LightError::DistanceBits(bits)));
     }

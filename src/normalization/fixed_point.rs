@@ -50,7 +50,7 @@ fn q12(bits: u128) -> Result<U52F12, LightError> {
     u64::try_from(bits).map(U52F12::from_bits).map_err(|_| LightError::Overflow("U52F12"))
 }
 
-/// `w = 1 - cos(theta)` of a sphere of radius over distance `ratio`. Within 1 LSB (2^-48).
+/// `w = 1 - cos(theta)` of a sphere of radius over distance `ratio`. Within 0.51 LSB (2^-48).
 ///
 /// # Errors
 /// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1.
@@ -58,7 +58,7 @@ pub fn versine_q30(ratio: I2F30) -> Result<U16F48, LightError> {
     Ok(U16F48::from_bits(round(Q60::of(ratio)?.versine.into(), 12)))
 }
 
-/// Solid angle `2 pi w` in steradians. Within 1 LSB (2^-48).
+/// Solid angle `2 pi w` in steradians. Within 0.51 LSB (2^-48).
 ///
 /// # Errors
 /// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1.
@@ -67,7 +67,7 @@ pub fn solid_angle_q30(ratio: I2F30) -> Result<U16F48, LightError> {
     Ok(U16F48::from_bits(round(u128::from(Q60::of(ratio)?.versine) * PI_Q61, 72)))
 }
 
-/// UsdLux `sizeFactor` of a sphere, in steradians: 1 for 0, else `pi x^2`. Within 1 LSB (2^-48).
+/// UsdLux `sizeFactor` of a sphere, in steradians: 1 for 0, else `pi x^2`. Within 0.51 LSB (2^-48).
 ///
 /// # Errors
 /// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1.
@@ -76,7 +76,7 @@ pub fn size_factor_q30(ratio: I2F30) -> Result<U16F48, LightError> {
     Ok(if square == 0 { U16F48::ONE } else { U16F48::from_bits(round(u128::from(square) * PI_Q61, 73)) })
 }
 
-/// `1 / sizeFactor`: 1 for 0, else `1 / (pi x^2)`. Within 1 LSB (2^-12).
+/// `1 / sizeFactor`: 1 for 0, else `1 / (pi x^2)`. Within 0.51 LSB (2^-12).
 ///
 /// # Errors
 /// [`LightError::RatioQ30`] where `ratio` is out of 0 to 1; [`LightError::Overflow`] where the answer is `2^52` or
@@ -87,7 +87,7 @@ pub fn inverse_size_factor_q30(ratio: I2F30) -> Result<U52F12, LightError> {
     if square == 0 { Ok(U52F12::ONE) } else { q12(quotient(INVERSE_PI_Q64 << 8, square.into())) }
 }
 
-/// Radiance of a light that is normalised to give `intensity` as illuminance: `intensity / size_factor`. Within 1 LSB
+/// Radiance of a light that is normalised to give `intensity` as illuminance: `intensity / size_factor`. Within 0.51 LSB
 /// (2^-12) of the quotient of its arguments. Takes sizeFactor so that it serves lights of every angle, see
 /// [`DistantLight::size_factor_q48`].
 ///
@@ -101,7 +101,7 @@ pub fn radiance_q12(intensity: U20F12, size_factor: U16F48) -> Result<U52F12, Li
     q12(quotient(u128::from(intensity.to_bits()) << 48, divisor))
 }
 
-/// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white. Within 1 LSB
+/// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white. Within 0.51 LSB
 /// (2^-12).
 ///
 /// # Errors
@@ -112,7 +112,7 @@ pub fn white_radiance_q30(ratio: I2F30) -> Result<U52F12, LightError> {
     if square == 0 { Err(LightError::Overflow("U52F12")) } else { q12(quotient(1 << 72, square.into())) }
 }
 
-/// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit. Within 1 LSB (2^-16).
+/// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit. Within 0.51 LSB (2^-16).
 ///
 /// # Errors
 /// [`LightError::DistanceBits`] where `distance` is not positive.
