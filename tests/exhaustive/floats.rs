@@ -210,13 +210,13 @@ pub fn exact_rp_of(bits: u64) -> f64 {
     }
 }
 
-/// Radiance of an intensity from 0.001 on and a ratio from 1/4096 on; below, a number or an overflow.
+/// Radiance of an intensity from 0.001 on and a ratio from 1/2048 on; below, a number or an overflow.
 pub fn radiance_of(bits: u64) -> f64 {
     let [intensity, ratio] = pair(bits);
     let [i, x] = [intensity, ratio].map(f16::to_f64);
     let allowed = i >= 0.0 && i.is_finite();
     let answer = radiance(intensity, ratio);
-    if allowed && in_unit(x) && x > 0.0 && (i < 0.001 || x < 1.0 / 4096.0) {
+    if allowed && in_unit(x) && x > 0.0 && (i < 0.001 || x < 1.0 / 2048.0) {
         let overflow = answer == Err(LightError::Overflow("f16"));
         return only(overflow || answer.is_ok_and(f16::is_finite));
     }

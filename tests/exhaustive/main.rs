@@ -149,6 +149,6 @@ proofs! {
     relative_to_peak_frequency_q16: "relative_to_peak_frequency_q16";
     karis: "karis";
     exact_rp: "exact_rp";
-    radiance: "radiance, from 0.001 and 1/4096";
+    radiance: "radiance, from 0.001 and 1/2048";
     normalize: "normalize_q14, (x, y, 0)";
 }

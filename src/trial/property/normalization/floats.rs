@@ -23,7 +23,7 @@ const RADIANCE: [f64; 4] = [4.0, 0.76, 0.76, 0.8];
 const LINEAR: [f64; 4] = [0.0, 2.0, 2.0, 2.0];
 
 /// Ratio and intensity below which the format has not all digits of the square or of the intensity's part in pi.
-const LEAST: [[f64; 2]; 4] = [[1e-150, 1e-300], [1e-27, 0.0], [1e-27, 0.0], [1.0 / 4096.0, 0.001]];
+const LEAST: [[f64; 2]; 4] = [[1e-150, 1e-300], [1e-27, 0.0], [1e-27, 0.0], [1.0 / 2048.0, 0.001]];
 
 pub(super) fn claims<T: Float>(case: &Case, judge: Judge<'_>) -> Result<(), Broken> {
     let [ratio, intensity] = [case.inputs[0], case.inputs[1]].map(T::nearest);

@@ -6,6 +6,7 @@ use super::{Broken, Case, Judge, yes};
 use crate::light::{DistantLight, LightError};
 use crate::trial::draw::Draw;
 use crate::trial::format::Format;
+use crate::trial::found;
 
 pub(super) fn claims(draw: &mut Draw<'_>, judge: Judge<'_>) -> Result<(), Broken> {
     let [value, other] = [(); 2].map(|()| number(draw));
@@ -109,10 +110,10 @@ fn agreement_claims(case: &Case, draw: &mut Draw<'_>, judge: Judge<'_>) -> Resul
     let most = |a: &DistantLight, b: &DistantLight, small: f64| {
         let [p, q] = [a, b].map(constants);
         let [sin, cos, versine] = [0, 1, 2].map(|i| (p[i] - q[i]).abs());
-        [sin / small, cos, versine / small].into_iter().fold(0.0, f64::max)
+        found::worst([sin / small, cos, versine / small].into_iter())
     };
     // The angle itself was rounded twice.
-    judge(&case, ("degrees agree with radians", most(&degrees, &radians, theta), 5.0e-16))?;
+    judge(&case, ("degrees agree with radians", most(&degrees, &radians, theta.max(f64::MIN_POSITIVE)), 5.0e-16))?;
     if angle > 180.0 {
         return Ok(());
     }
@@ -120,7 +121,7 @@ fn agreement_claims(case: &Case, draw: &mut Draw<'_>, judge: Judge<'_>) -> Resul
     let spheres = [DistantLight::from_ratio(sin), DistantLight::from_radius_and_distance(sin * distance, distance)];
     for sphere in spheres {
         let Ok(sphere) = sphere else { return judge(&case, ("a sine is a ratio", 1.0, 0.0)) };
-        judge(&case, ("a ratio is a sine", (sphere.sin() / sin - 1.0).abs(), 4.5e-16))?;
+        judge(&case, ("a ratio is a sine", (sphere.sin() - sin).abs() / sin.max(f64::MIN_POSITIVE), 4.5e-16))?;
         // The cosine hangs on the sine by its tangent.
         let slack = sin / degrees.cos().max(1e-8);
         judge(&case, ("a sphere is a disc", most(&sphere, &degrees, 1.0) / (slack + 1.0), 6.0e-16))?;
