@@ -6,7 +6,7 @@ use super::word;
 use crate::blackbody;
 use crate::radiometry::RadiometryError;
 use crate::raw;
-use crate::real::Scaled;
+use crate::real::{Scalar, Scaled};
 use crate::trial::draw::Draw;
 use crate::trial::format::Format;
 use crate::trial::property::{Broken, Case};
@@ -56,14 +56,18 @@ fn black_body(case: &Case, [a, b, c, d]: [u32; 4]) -> Result<(), Broken> {
     case.holds("raw relative_to_peak", by_wavelength == q30(blackbody::relative_to_peak(q16(a))))?;
     case.holds("raw relative_to_peak_frequency", by_frequency == q30(blackbody::relative_to_peak_frequency(q16(a))))?;
     let tint = raw::tint_q16(a, [b, c, d]);
-    case.holds("raw tint", tint == blackbody::tint(q16(a), [b, c, d].map(q16)).map(q30))?;
+    let levels = blackbody::tint(q16(a), [b, c, d].map(q16));
+    case.holds("raw tint", tint == levels.map(q30))?;
+    case.holds(
+        "levels of a tint are from 0 to 1",
+        levels.iter().all(|level| (Scaled::ZERO..=Scaled::ONE).contains(level)),
+    )?;
     let lit = [a, b, c, d].into_iter().all(|bits| bits > 0);
     // As long as the quotients of the wavelengths are as documented, one of the three is the greatest.
     let wavelengths = [b, c, d].map(f64::from);
     let (least, most) = (wavelengths.into_iter().fold(f64::MAX, f64::min), wavelengths.into_iter().fold(0.0, f64::max));
     let greatest = tint.into_iter().fold(0, i32::max);
-    // A quotient of equals is 1 within 2.5 units of 31 bits.
-    let ends = !lit || most > 8.0 * least || greatest >= (1 << 30) - 2;
+    let ends = !lit || most > 8.0 * least || greatest == 1 << 30;
     case.holds("the greatest level of a tint is 1", ends)?;
     case.holds("nothing has no tint", lit || tint == [0; 3])
 }
