@@ -36,15 +36,15 @@ fn quotient(part: u128, whole: u128) -> f64 {
 fn radiometry(case: &Case, [a, b, c]: [u128; 3], cos: i16) -> Result<(), Broken> {
     let above = u128::from(cos.max(0).unsigned_abs());
     let answer = raw::irradiance_q16(a as u32, cos, b as u32);
-    near(case, "raw irradiance", answer, quotient((a * above) << 18, b * b), 3.0e-9)?;
+    near(case, "raw irradiance", answer, quotient((a * above) << 18, b * b), 2.1e-9)?;
     let answer = raw::diffuse_radiance_q16(cos, a as u32);
-    near(case, "raw diffuse_radiance", answer, quotient(a * above, 1 << 14) * FRAC_1_PI, 1.1e-9)?;
+    near(case, "raw diffuse_radiance", answer, quotient(a * above, 1 << 14) * FRAC_1_PI, 1.0e-9)?;
     let exact = quotient(a << 32, b * c);
     match raw::area_radiance_q16(a as u32, b as u32, c as u32) {
-        Ok(answer) => near(case, "raw area_radiance", answer, exact, 2.2e-9),
+        Ok(answer) => near(case, "raw area_radiance", answer, exact, 1.7e-9),
         Err(RadiometryError::Area(_)) => case.holds("an area is positive", b == 0),
         Err(RadiometryError::SolidAngle(_)) => case.holds("a solid angle is positive", b > 0 && c == 0),
-        Err(RadiometryError::Overflow) => case.at_most("an overflow is one", 4_294_967_295.5 * (1.0 - 2.2e-9), exact),
+        Err(RadiometryError::Overflow) => case.at_most("an overflow is one", 4_294_967_295.5 * (1.0 - 1.7e-9), exact),
         Err(_) => case.holds("any power will do", false),
     }
 }
