@@ -76,7 +76,7 @@ impl WideRange for crate::real::Scaled {}
 /// kelvins.
 ///
 /// Relative error at most `b (1 + x)`, `x = hc / (lambda k T)` being the exponent, with `b` 1.6e-15 in f64, 7.3e-7 in
-/// f32 and micromath, 8.1e-9 in [`Scaled`](crate::real::Scaled), for wavelengths from 1e-8 to 100 m, 10 to 1e6 K and
+/// f32 and micromath, 7.3e-9 in [`Scaled`](crate::real::Scaled), for wavelengths from 1e-8 to 100 m, 10 to 1e6 K and
 /// answers of f32's normal numbers. Saturates at the greatest finite number.
 ///
 /// ```
@@ -103,7 +103,7 @@ pub fn radiance_per_wavelength<S: WideRange>(wavelength: S, temperature: S) -> S
 /// kelvins.
 ///
 /// Relative error at most `b (1 + x)`, `x = h nu / (k T)` being the exponent, with `b` 1.2e-15 in f64, 5.5e-7 in f32
-/// and micromath, 4.4e-9 in [`Scaled`](crate::real::Scaled), for frequencies from 3e6 to 3e16 Hz, 10 to 1e6 K and
+/// and micromath, 4.5e-9 in [`Scaled`](crate::real::Scaled), for frequencies from 3e6 to 3e16 Hz, 10 to 1e6 K and
 /// answers of f32's normal numbers. Saturates at the greatest finite number.
 #[inline]
 pub fn radiance_per_frequency<S: WideRange>(frequency: S, temperature: S) -> S {

@@ -140,15 +140,16 @@ pub fn relative_illuminance<T: Real>(n_dot_l: T::Wide, light: &DistantSphere<T>)
 /// Illuminance of a plane under a disc of the given radiance: `radiance * pi x^2 *` [`relative_illuminance`] (beyond
 /// half the sky without `x^2`). `pi` for the sky of radiance 1.
 ///
-/// Worst relative error as that of [`relative_illuminance`], and a unit of the last place or two. In f16 the Sun of
-/// radiance 1 gives 6.8e-5, next to the least normal number: there, scale the radiance, or use [`lambert_disc`] with
-/// the illuminance. What is too great for a float is infinite.
+/// Worst relative error as that of [`relative_illuminance`], and a unit of the last place or two. A share of less than
+/// the least normal number of a float has lost digits before a great radiance multiplies it. In f16 the Sun of radiance
+/// 1 gives 6.8e-5, next to that number: there, scale the radiance, or use [`lambert_disc`] with the illuminance. What is
+/// too great for a float is infinite.
 #[inline]
 pub fn illuminance<T: Real>(radiance: T::Scalar, n_dot_l: T::Wide, light: &DistantSphere<T>) -> T::Scalar {
     let relative = relative_illuminance(n_dot_l, light);
     let pi = T::Scalar::constant(PI);
     let x = T::scalar(light.sin);
-    // In this order nothing overflows or underflows that the answer does not.
+    // In this order nothing overflows or underflows that the answer does not, but for the share itself.
     if light.cos >= T::WIDE_ZERO { radiance * x * relative * (pi * x) } else { radiance * relative * pi }
 }
 

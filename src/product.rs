@@ -4,6 +4,8 @@ use core::iter::repeat_n;
 
 use crate::real::{Constant, Scalar};
 
+const ONE: Constant = Constant::new(1.0);
+
 /// The product of `above` over the product of `below`, one rounding a factor.
 ///
 /// What has been multiplied so far is kept near 1: while it is greater than 1, the factors that lower it come first.
@@ -11,14 +13,13 @@ use crate::real::{Constant, Scalar};
 /// intermediate overflows or underflows only where the answer does.
 #[inline]
 pub(crate) fn quotient<S: Scalar, const N: usize, const M: usize>(above: [S; N], below: [S; M]) -> S {
-    let range = Range::of::<S>();
     let (mut risen, mut fallen) = (0_usize, 0_usize);
-    let above = above.map(|factor| near(factor, range, &mut risen, &mut fallen));
-    let below = below.map(|factor| near(factor, range, &mut fallen, &mut risen));
+    let above = above.map(|factor| near(factor, &mut risen, &mut fallen));
+    let below = below.map(|factor| near(factor, &mut fallen, &mut risen));
     let powers = |raises: bool| {
         let count = if raises { risen.saturating_sub(fallen) } else { fallen.saturating_sub(risen) };
-        let power = if raises { range.great } else { range.small };
-        repeat_n((S::constant(power), true), count)
+        let [great, small] = S::NEAR_ONE.unwrap_or([ONE; 2]);
+        repeat_n((S::constant(if raises { great } else { small }), true), count)
     };
     let factors = |raises: bool| {
         let above = above.iter().filter(move |&&factor| (factor > S::ONE) == raises).map(|&factor| (factor, true));
@@ -41,38 +42,13 @@ pub(crate) fn quotient<S: Scalar, const N: usize, const M: usize>(above: [S; N],
     }
 }
 
-/// Powers of two between which factors stay, so that neither they nor their reciprocals, times a number about 1, leave a
-/// format's range, subnormal numbers included.
-#[derive(Clone, Copy)]
-struct Range {
-    /// Of formats up to this number.
-    most: Constant,
-    great: Constant,
-    small: Constant,
-}
-
-impl Range {
-    const fn new(most: f64, great: f64) -> Self {
-        Self { most: Constant::new(most), great: Constant::new(great), small: Constant::new(1.0 / great) }
-    }
-
-    /// That of a format, known at compile time. [`Scaled`](crate::real::Scaled) is wider than all factors.
-    #[inline]
-    fn of<S: Scalar>() -> &'static Self {
-        const UNLIMITED: Range = Range::new(f64::INFINITY, f64::INFINITY);
-        const RANGES: [Range; 3] = [
-            Range::new(65_504.0, 4096.0),
-            Range::new(f32::MAX as f64, (1_u128 << 64) as f64),
-            Range::new(f64::MAX, (1_u128 << 127) as f64 * (1_u128 << 127) as f64 * (1_u128 << 127) as f64),
-        ];
-        RANGES.iter().find(|range| S::MAX <= S::constant(range.most)).unwrap_or(&UNLIMITED)
-    }
-}
-
 /// A factor without the power that it gives up; counts that among those that are `risen`, or `fallen`.
 #[inline]
-fn near<S: Scalar>(factor: S, range: &Range, risen: &mut usize, fallen: &mut usize) -> S {
-    let [great, small] = [range.great, range.small].map(S::constant);
+fn near<S: Scalar>(factor: S, risen: &mut usize, fallen: &mut usize) -> S {
+    let Some(ends) = S::NEAR_ONE else {
+        return factor;
+    };
+    let [great, small] = ends.map(S::constant);
     if factor > great {
         *risen = risen.wrapping_add(1);
         factor * small

@@ -19,15 +19,17 @@
 //!
 //! # Range
 //!
-//! Intermediates stay in range wherever factors and answer do, also in f16. Functions of what is lit take any
+//! Intermediates stay in range wherever factors and answer do, also in f16, where factors may be subnormal or so great
+//! that one over them is: those give up a power of two ([`Scalar::NEAR_ONE`]), which costs floats two comparisons a
+//! factor. Functions of what is lit take any
 //! input: a cosine that is negative or NaN counts as 0 (no light from below the horizon is subtracted), a distance that
 //! is zero, negative or NaN gives 0, and what overflows is the greatest finite number. Functions that describe a lamp
 //! refuse what cannot be with a [`RadiometryError`].
 //!
-//! Error: one rounding a factor; relative, worst of random inputs with answers from 1e-4 to 6e4, as
-//! `tests/radiometry.rs` asserts it, at most 5.2e-16 in f64, 3e-7 in f32 and micromath, 2.5e-3 in f16, 3.5e-9 beside fixed
-//! point; of [`SphereLight::radiance`] 8.1e-16, 4.3e-7, 1.1e-5 (micromath's root), 3.5e-3, 5.6e-9. Each formula's is in
-//! `trial::radiometry`.
+//! Error: one rounding a factor; relative, for factors and answers over all that the format holds, those below the least
+//! normal number counted as that one (searched for, `tests/figures.rs`): at most 5.8e-16 in f64, 2.9e-7 in f32, 3e-7 in
+//! micromath, 2.6e-3 in f16, 2.8e-9 beside fixed point; of [`SphereLight::radiance`] 1.1e-15, 4.8e-7, 1.1e-5 (micromath's
+//! root), 4.1e-3, 4.1e-9. Each formula's is in `trial::property::radiometry`.
 
 mod error;
 mod sphere_light;

@@ -84,15 +84,16 @@ impl<T: Real> Cone<T> {
     /// Every answer is within [`Cone::contains`]: one that rounding has put outside is moved inwards, first by
     /// what it is outside, then by twice that, until it is not.
     ///
-    /// Worst error in radians, against exact arithmetic on the same `l`, light and numbers, as `tests/sampling.rs` asserts
-    /// (other discs: `trial::sampling`):
+    /// Worst error in radians, against exact arithmetic on the same `l`, light and numbers, for discs of an angular radius
+    /// up to the one given (searched for, `tests/figures.rs`):
     ///
     /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
     /// |---|---|---|---|---|---|---|---|
-    /// | the Sun | 2.8e-16 | 1.1e-7 | 1.1e-7 | 8.2e-4 | 1.2e-4 | 1.8e-9 | 3.0e-5 |
-    /// | the same over its radius | 6.0e-14 | 2.4e-5 | 2.4e-5 | 0.18 | 0.026 | 3.9e-7 | 6.5e-3 |
-    /// | ratio 0.5 | 4.3e-16 | 1.3e-7 | 4.4e-6 | 1.3e-3 | 1.2e-4 | 2.0e-9 | 2.9e-5 |
-    /// | half the sky | 9.1e-16 | 2.4e-7 | 5.0e-6 | 2.5e-3 | 1.5e-4 | 2.6e-9 | 3.9e-5 |
+    /// | 0.01 rad, as the Sun | 3.0e-16 | 1.0e-7 | 1.5e-7 | 8.2e-4 | 1.2e-4 | 1.9e-9 | 3.1e-5 |
+    /// | the same over the Sun's radius | 6.5e-14 | 2.2e-5 | 3.3e-5 | 0.18 | 0.026 | 4.1e-7 | 6.7e-3 |
+    /// | 0.5 rad | 6.0e-16 | 1.9e-7 | 4.3e-6 | 1.9e-3 | 1.3e-4 | 2.3e-9 | 3.7e-5 |
+    /// | half the sky | 1.2e-15 | 5.3e-7 | 5.3e-6 | 5.3e-3 | 2.5e-4 | 3.9e-9 | 6.3e-5 |
+    /// | the full sphere | 1.5e-15 | 6.7e-7 | 2.0e-5 | 5.3e-3 | 2.5e-4 | 4.9e-9 | 6.3e-5 |
     ///
     /// The worst are samples of the rim that have been moved inwards; the root mean square at the Sun is a
     /// quarter to an eighth of that (f32 1.5e-8, I2F14 2.6e-5).
@@ -112,12 +113,18 @@ impl<T: Real> Cone<T> {
     /// than half the sky `|direction + l|^2 >= 2 (2 - w)`.
     ///
     /// For small discs the difference is exact. Directions on the wrong side of the rim are at most so far from it, in
-    /// radians, as `tests/sampling.rs` asserts, with lengths off by what rounding to the format does to them:
+    /// radians, with lengths off by what rounding to the format does to them, for angular radii from 0.001 up to that given
+    /// (searched for, `tests/figures.rs`):
     ///
     /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
     /// |---|---|---|---|---|---|---|---|
-    /// | the Sun | 9.7e-19 | 4.2e-10 | 4.2e-10 | 2.9e-5 | 4.2e-7 | 2.1e-12 | 1.4e-8 |
-    /// | half the sky | 5.0e-16 | 1.8e-7 | 1.8e-7 | 1.8e-3 | 6.2e-5 | 1.4e-9 | 1.4e-5 |
+    /// | 0.01 rad, as the Sun | 5.9e-18 | 1.5e-9 | 1.5e-9 | 2.1e-4 | 2.8e-6 | 1.2e-11 | 7.5e-8 |
+    /// | 0.5 rad | 1.3e-16 | 7.4e-8 | 7.5e-8 | 4.8e-4 | 1.6e-5 | 4.4e-10 | 5.1e-6 |
+    /// | half the sky | 7.5e-16 | 2.5e-7 | 2.9e-7 | 2.1e-3 | 8.6e-5 | 1.3e-9 | 1.9e-5 |
+    /// | the full sphere | 1.0e-15 | 2.7e-7 | 2.9e-7 | 2.4e-3 | 8.6e-5 | 1.3e-9 | 1.9e-5 |
+    ///
+    /// A disc below 0.001 rad is finer than the lights of the narrow formats: there up to 4.6e-4 in f16, 6.8e-5 in I2F14
+    /// and 1.6e-5 in I16F16.
     ///
     /// False for NaN and infinities.
     #[inline]
@@ -128,9 +135,9 @@ impl<T: Real> Cone<T> {
 
     /// The solid angle `2 pi w` in steradians, in f16 subnormal below `x = 0.0044`.
     ///
-    /// Relative error of it and of the density, as `tests/solid_angle.rs` asserts for ratios from 1e-5 (I2F14 and
-    /// I16F16 0.001, f16 0.0045) up to the full sphere: f64 5.0e-16, f32 and micromath 3.7e-7, f16 2.8e-3, I2F14 3.9e-6,
-    /// I2F30 3.4e-9, I16F16 2.3e-7.
+    /// Relative error of it, as `tests/figures.rs` asserts for angular radii from 1e-5 (I2F14 and I16F16 0.001, f16 0.0045)
+    /// up to the full sphere: f64 1.1e-15, f32 and micromath 3.6e-7, f16 2.8e-3, I2F14 4.2e-6, I2F30 2.5e-9, I16F16
+    /// 2.7e-7.
     #[inline]
     pub fn solid_angle(&self) -> T::Scalar {
         self.solid_angle / scale::<T>()

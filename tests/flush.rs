@@ -56,6 +56,7 @@ impl<const SCALED: bool> Scalar for Flushing<SCALED> {
     const ZERO: Self = Self(<f16 as Scalar>::ZERO);
     const ONE: Self = Self(<f16 as Scalar>::ONE);
     const MAX: Self = Self(<f16 as Scalar>::MAX);
+    const NEAR_ONE: Option<[Constant; 2]> = f16::NEAR_ONE;
 
     fn nearest(value: f64) -> Self {
         flush(f16::nearest(value))

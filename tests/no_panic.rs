@@ -129,14 +129,17 @@ fn the_core_forbids_unsafe_code() {
     assert!(code.lines().any(|line| line == "#![forbid(unsafe_code)]"));
 }
 
-/// The one exemption of the images: `half` rounds up by adding 1 to an f16's bits. These are all sums that it can form,
-/// and tests have overflow checks.
+/// The one exemption of the images: `half` rounds up by adding 1 to an f16's bits, from f32 and from f64. These are all
+/// sums that it can form, and tests have overflow checks.
 #[test]
 fn half_rounds_up_without_an_overflow() {
-    let mut greatest = 0;
-    for kept in 0..=u32::MAX >> 13 {
-        let above = half::f16::from_f32_const(f32::from_bits((kept << 13) | 0x1fff));
-        greatest = greatest.max(if above.is_nan() { 0 } else { above.to_bits() });
-    }
-    assert_eq!(greatest, half::f16::NEG_INFINITY.to_bits());
+    use half::f16;
+    // Every sign, exponent, ten digits that an f16 keeps and the one that it rounds by; below, all are set.
+    let mut of_single = (0..=u32::MAX >> 12).map(|kept| f16::from_f32_const(f32::from_bits((kept << 12) | 0xfff)));
+    let mut of_double =
+        (0..=u64::MAX >> 41).map(|kept| f16::from_f64_const(f64::from_bits((kept << 41) | 0x1ff_ffff_ffff)));
+    let greatest = |halves: &mut dyn Iterator<Item = f16>| halves.filter(|half| !half.is_nan()).map(f16::to_bits).max();
+    let infinity = Some(f16::NEG_INFINITY.to_bits());
+    assert_eq!(greatest(&mut of_single), infinity);
+    assert_eq!(greatest(&mut of_double), infinity);
 }

@@ -397,3 +397,17 @@ fn samples_beside_the_antipode_stay_there() {
     }
     assert!(farthest::<f32>() < 4.0e-7 && farthest::<f16>() < 3.4e-3 && farthest::<I2F30>() < 3.4e-9);
 }
+
+/// Pi is not a number of f64, so the full sphere has a rim, 1.2e-16 rad from the antipode; its cosine is -2, which is
+/// none and made that a fifth too small.
+#[test]
+fn samples_of_the_full_sphere_end_at_its_rim() {
+    fn off<T: Real>() -> f64 {
+        let light = DistantLight::from_angular_radius(PI).unwrap();
+        let cone = Cone::new([T::ZERO, T::ZERO, T::from_f64(1.0)], &DistantSphere::<T>::of(&light));
+        let [x, y, z] = cone.direction([T::from_f64(1.0), T::ZERO]).map(T::to_f64);
+        assert_eq!([y, z], [0.0, -1.0]);
+        (x / light.sin() - 1.0).abs()
+    }
+    assert!(off::<f64>() < 1e-15 && off::<f32>() < 1e-7, "{} {}", off::<f64>(), off::<f32>());
+}

@@ -4,19 +4,19 @@ use crate::radiometry::{self, RadiometryError};
 use crate::real::Scaled;
 
 /// [`irradiance`](radiometry::irradiance) by a point: intensity in W/sr in Q16, cosine in Q14, distance in metres in Q16;
-/// answer in W/m^2 in Q16, at most its greatest number. Within half an LSB and 3.0e-9 of the answer.
+/// answer in W/m^2 in Q16, at most its greatest number. Within half an LSB and 2.1e-9 of the answer.
 pub fn irradiance_q16(intensity: u32, cos: i16, distance: u32) -> u32 {
     bits(radiometry::irradiance(q16(intensity), Scaled::from_bits(cos.into(), -14), q16(distance)))
 }
 
 /// [`diffuse_radiance`](radiometry::diffuse_radiance) of a matt surface, `rho E / pi`: albedo in Q14, irradiance and answer
-/// in Q16; zero for a negative albedo. Within half an LSB and 1.1e-9 of the answer.
+/// in Q16; zero for a negative albedo. Within half an LSB and 1.0e-9 of the answer.
 pub fn diffuse_radiance_q16(albedo: i16, irradiance: u32) -> u32 {
     bits(radiometry::diffuse_radiance(Scaled::from_bits(albedo.into(), -14), q16(irradiance)))
 }
 
 /// [`area_radiance`](radiometry::area_radiance) of a lamp, `Phi / (A Omega)`: all in Q16. Within half an LSB and
-/// 2.2e-9 of the answer.
+/// 1.7e-9 of the answer.
 ///
 /// # Errors
 /// Those of that function, and [`RadiometryError::Overflow`] from 65 536 W/(m^2 sr) on.

@@ -65,6 +65,9 @@ impl Scalar for f64 {
 
     const MAX: Self = f64::MAX;
 
+    const NEAR_ONE: Option<[Constant; 2]> =
+        Some(Constant::either_way((1_u128 << 127) as f64 * (1_u128 << 127) as f64 * (1_u128 << 127) as f64));
+
     #[inline(always)]
     fn nearest(value: f64) -> Self {
         value
@@ -133,6 +136,8 @@ impl Scalar for f32 {
     const ONE: Self = 1.0;
 
     const MAX: Self = f32::MAX;
+
+    const NEAR_ONE: Option<[Constant; 2]> = Some(Constant::either_way((1_u128 << 64) as f64));
 
     #[inline(always)]
     fn nearest(value: f64) -> Self {

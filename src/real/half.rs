@@ -20,6 +20,8 @@ impl Scalar for f16 {
 
     const MAX: Self = f16::MAX;
 
+    const NEAR_ONE: Option<[Constant; 2]> = Some(Constant::either_way(4096.0));
+
     #[inline]
     fn nearest(value: f64) -> Self {
         nearest(value)

@@ -12,6 +12,8 @@ impl Scalar for F32 {
 
     const MAX: Self = F32::MAX;
 
+    const NEAR_ONE: Option<[Constant; 2]> = f32::NEAR_ONE;
+
     #[inline(always)]
     fn nearest(value: f64) -> Self {
         F32(value as f32)

@@ -22,6 +22,10 @@ pub trait Scalar:
     /// The greatest finite number.
     const MAX: Self;
 
+    /// A power of two and one over it: neither numbers between them nor their reciprocals, times a number about 1, leave
+    /// the format's range, subnormal numbers included. None where no number of a formula can leave it.
+    const NEAR_ONE: Option<[Constant; 2]>;
+
     /// The nearest value of the format.
     fn nearest(value: f64) -> Self;
 
@@ -80,6 +84,11 @@ impl Constant {
             #[cfg(feature = "fixed")]
             scaled: Scaled::new(value),
         }
+    }
+
+    /// A power of two and one over it.
+    pub(crate) const fn either_way(power: f64) -> [Self; 2] {
+        [Self::new(power), Self::new(1.0 / power)]
     }
 
     /// The value that it was made of.

@@ -204,6 +204,8 @@ impl Scalar for Scaled {
 
     const MAX: Self = MAX;
 
+    const NEAR_ONE: Option<[Constant; 2]> = None;
+
     fn nearest(value: f64) -> Self {
         Self::new(value)
     }

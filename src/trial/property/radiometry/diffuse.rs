@@ -19,8 +19,8 @@ const ILLUMINANCE: usize = BINS.len() + 1;
 const LAMBERT: usize = ILLUMINANCE + 1;
 
 /// Budgets of [`relative_illuminance`] by the disc's ratio, relative, beyond half the sky absolute; of [`illuminance`] for
-/// the radiance 1 likewise, for all discs; and of [`lambert`] in units of the level's last place. Answers below f16's
-/// least normal number count as that one in f16.
+/// all discs and radiances likewise, absolute being a part of the radiance; and of [`lambert`] in units of the level's
+/// last place. Answers below the least normal number, and shares of an illuminance, count as that one.
 pub const BUDGETS: [Row; LAMBERT + 1] = [
     ("relative illuminance, ratio to 0.001", [2.8e-7, 9.3e-7, 1.3e-5, 4.3e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
     ("relative illuminance, ratio to 0.01", [2.8e-7, 9.4e-7, 1.3e-5, 5.8e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
@@ -29,7 +29,7 @@ pub const BUDGETS: [Row; LAMBERT + 1] = [
     ("relative illuminance, ratio to 0.9", [2.8e-7, 9e-7, 1.6e-5, 5.3e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
     ("relative illuminance, ratio to 1", [2.8e-7, 9.1e-7, 1.7e-5, 4e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
     ("relative illuminance, beyond half the sky", [1.4e-7, 3.9e-7, 7.6e-6, 1.7e-3, 1.4e-7, 1.4e-7, 1.4e-7]),
-    ("illuminance", [4.4e-7, 1.3e-6, 2.4e-5, 5.9e-3, 4.4e-7, 4.4e-7, 4.4e-7]),
+    ("illuminance", [4.4e-7, 1.5e-6, 2.5e-5, 7.3e-3, 4.4e-7, 4.4e-7, 4.4e-7]),
     ("lambert", [3.4, 3.3, 3.3, 2.7, 1.4, 2.9, 1.4]),
 ];
 
@@ -84,14 +84,25 @@ impl Visitor for Errors {
         let truth = scene.truth();
         let part = |error: f64, truth: f64| if scene.narrow { error.abs() / truth.max(least) } else { error.abs() };
         let error = part(scene.answer(scene.n_dot_l) - truth, truth);
-        let size = PI * if scene.narrow { scene.x * scene.x } else { 1.0 };
-        let absolute = illuminance(T::Scalar::ONE, scene.n_dot_l, &scene.sphere).exact();
         let mut figures = NONE;
         figures[0] = Some((scene.row(), error));
-        figures[1] = Some((ILLUMINANCE, part(absolute - truth * size, truth * size)));
+        figures[1] = illuminance_error(&lamp, &scene, truth).map(|error| (ILLUMINANCE, error));
         figures[2] = Some((LAMBERT, lambert_error::<T>(&lamp)));
         figures
     }
+}
+
+/// Of the illuminance, as a part of itself, beyond half the sky of the radiance; none where it is out of range.
+fn illuminance_error<T: Real>(lamp: &Lamp, scene: &Scene<T>, share: f64) -> Option<f64> {
+    let [least, most] = ends(lamp.format);
+    let radiance = T::Scalar::nearest(lamp.levels[1]);
+    let level = radiance.exact();
+    let facing = level * (PI * if scene.narrow { scene.x * scene.x } else { 1.0 });
+    let truth = facing * share;
+    let error = (illuminance(radiance, scene.n_dot_l, &scene.sphere).exact() - truth).abs();
+    let within = truth <= 0.99 * most && level <= most;
+    // A share that is not a normal number has lost digits before the radiance multiplies it.
+    within.then(|| error / if scene.narrow { facing * share.max(least) } else { level }.max(least))
 }
 
 /// In units of the last place: the format's, and in fixed point the level's, or that of 31 bits where it is coarser.
@@ -132,8 +143,24 @@ impl Visitor for Laws {
                 case.holds("matt surfaces are finite", level >= T::Scalar::ZERO && level <= T::Scalar::MAX)?;
             }
         }
+        bright(&lamp, &case, &scene)?;
         if lamp.raw { Ok(()) } else { horizon(&lamp, &case, &scene) }
     }
+}
+
+/// Whatever the radiance, no illuminance is negative or NaN; twice the radiance gives exactly twice of it.
+fn bright<T: Real>(lamp: &Lamp, case: &Case, scene: &Scene<T>) -> Result<(), Broken> {
+    let radiance = T::Scalar::nearest(lamp.levels[1]);
+    let zero = T::Scalar::ZERO;
+    let [once, twice] =
+        [radiance, radiance + radiance].map(|radiance| illuminance(radiance, scene.n_dot_l, &scene.sphere));
+    let usable = radiance >= zero && radiance <= T::Scalar::MAX;
+    case.holds("illuminance is not negative", !usable || once >= zero)?;
+    let [least, most] = ends(lamp.format);
+    let doubled = twice.exact() == 2.0 * once.exact();
+    // A product on the way may be less than the answer, by pi.
+    let within = once.exact() >= 4.0 * least && twice.exact() <= most && radiance.exact() <= 0.5 * most;
+    case.holds("twice the radiance is twice the illuminance", !(usable && within) || doubled)
 }
 
 /// What the budget leaves a share above 1.
