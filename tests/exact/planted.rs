@@ -192,6 +192,7 @@ impl<T: Float + Real, const PLACES: u8> Scalar for Rough<T, PLACES> {
     const ZERO: Self = Self(<T as Scalar>::ZERO);
     const ONE: Self = Self(<T as Scalar>::ONE);
     const MAX: Self = Self(<T as Scalar>::MAX);
+    const NEAR_ONE: Option<[sunglint::real::Constant; 2]> = T::NEAR_ONE;
 
     fn nearest(value: f64) -> Self {
         Self(T::nearest(value))
