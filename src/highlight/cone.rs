@@ -3,9 +3,10 @@
 use super::disc::Width;
 use super::microfacet::{FOUR_OVER_PI, smith, upright};
 use super::{Gloss, Highlight, at_most, positive};
-use crate::real::{Halfway, Real, Scalar, TILT_LIMIT};
+use crate::real::{Constant, Halfway, Real, Scalar, TILT_LIMIT, most_tilt};
 use crate::specular::{cap, reflect};
 use crate::sphere::DistantSphere;
+use crate::vec3::zip;
 
 /// The share of the microfacets that mirror the disc to the viewer, exactly, times the rest of the model at the disc's
 /// centre. **The default.**
@@ -52,7 +53,11 @@ pub struct ShiftedConeGgx<T: Real> {
     sphere: DistantSphere<T>,
     /// `w / (w + alpha^2)` and what it lacks of 1.
     shares: [T::Wide; 2],
+    /// The product of the two shares.
+    spread: T::Scalar,
 }
+
+const QUARTER: Constant = Constant::new(0.25);
 
 /// The share of the microfacets, as far as the disc's centre tells.
 struct Shape<S> {
@@ -79,12 +84,18 @@ struct Cone<S> {
     rest: S,
 }
 
+/// From this quotient of the poles on, which is beyond 75 degrees of incidence, three steps are too few.
+const APART: Constant = Constant::new(16.0);
+
+/// How many more they are there.
+const MORE_STEPS: u32 = 5;
+
 impl<S: Scalar> Cone<S> {
     #[inline]
     fn of(width: &Width<S>, halfway: &Halfway<S>, cosine_square: S) -> Self {
         let Width { alpha, versine, disc, width, .. } = *width;
         let along = S::ONE + S::ONE - versine;
-        // No opening is greater than a tilt may be.
+        // No opening is greater than a tilt may be in f16.
         let limit = S::constant(TILT_LIMIT);
         let least = disc / limit;
         let across = halfway.v_dot_h_square + halfway.v_dot_h_square - versine;
@@ -115,7 +126,10 @@ impl<S: Scalar> Cone<S> {
         let pole = at_most(pole, second);
         // Each step doubles the digits that are right.
         let near = self.step(width, self.one_pole(width, tilt, pole));
-        self.step(width, self.step(width, near))
+        let root = self.step(width, self.step(width, near));
+        // Poles that are far apart, as at grazing incidence, leave the first guess with hardly any.
+        let apart = second > first * S::constant(APART);
+        if apart { (0..MORE_STEPS).fold(root, |root, _| self.step(width, root)) } else { root }
     }
 
     /// A better root from `y`: one pole with the value and the slope that the two have there. It lies between them.
@@ -145,7 +159,7 @@ impl<S: Scalar> Cone<S> {
         let size = S::hypotenuse(if linear < zero { zero - linear } else { linear }, quarter + quarter);
         if linear < zero {
             // Farther out than a tilt may be, where nothing of the highlight is left.
-            at_most((size - linear) / (lead + lead), S::constant(TILT_LIMIT))
+            at_most((size - linear) / (lead + lead), most_tilt())
         } else if size > zero {
             let twice = a * pole;
             (twice + twice) / (size + linear)
@@ -224,7 +238,9 @@ impl<T: Real> ShiftedConeGgx<T> {
         let (disc, rough) = (cone.width.disc, cone.width.alpha_square);
         let sum = disc + rough;
         let near = if sum > T::Scalar::ZERO { disc / sum } else { T::Scalar::ZERO };
-        Self { cone, sphere: *sphere, shares: [T::narrow(near), T::narrow(near - T::Scalar::ONE)] }
+        let far = T::Scalar::ONE - near;
+        let shares = [T::narrow(near), T::narrow(near - T::Scalar::ONE)];
+        Self { cone, sphere: *sphere, shares, spread: near * far }
     }
 }
 
@@ -233,11 +249,15 @@ impl<T: Real> Highlight<T> for ShiftedConeGgx<T> {
     fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar> {
         let cosine = |a, b| T::scalar(T::dot(a, b));
         let [near, less_far] = self.shares;
-        let middle = T::diff(near, cap(l, reflect(n, v), &self.sphere), less_far, l);
+        let nearest = cap(l, reflect(n, v), &self.sphere);
+        let middle = T::diff(near, nearest, less_far, l);
         let [n_dot_m, n_dot_v] = [cosine(n, middle), cosine(n, v)];
         let visibility = smith(n_dot_m, n_dot_v, self.cone.width.alpha);
         // The half vector of the middle: (v.h)^2, and 2 (v.h)^2 / (n.m + n.v), which is (v.h) / (n.h).
-        let v_dot_h_square = (T::Scalar::ONE + cosine(middle, v)) * T::Scalar::constant(super::HALF);
+        // (v.h)^2 = (1 + m.v) / 2, where nothing cancels: the middle is short by what the two that it is between are apart.
+        let (sum, apart) = (zip(middle, v, T::add), zip(nearest, l, T::sub));
+        let square = cosine(sum, sum) + cosine(apart, apart) * self.spread;
+        let v_dot_h_square = square * T::Scalar::constant(QUARTER);
         if !(positive(visibility) && positive(v_dot_h_square)) {
             return Gloss::DARK;
         }
