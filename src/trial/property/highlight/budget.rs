@@ -25,16 +25,23 @@ pub fn step(format: Format) -> f64 {
 /// How far beside the given directions and lengths an answer may be at home, in radians and in lengths.
 pub fn reach(format: Format) -> f64 {
     let steps = match format {
-        Format::F64 | Format::F32 | Format::I2F30 => 8.0,
+        Format::F64 | Format::F32 | Format::I2F14 | Format::I2F30 => 8.0,
         Format::Micromath => 2.0,
         Format::F16 => 16.0,
-        Format::I2F14 | Format::I16F16 => 4.0,
+        Format::I16F16 => 4.0,
     };
     steps * step(format)
 }
 
 /// What is allowed beside that, in steps, by [`family`] and format.
-pub const STEPS: [[f64; 7]; 6] = [[1.0; 7]; 6];
+pub const STEPS: [[f64; 7]; 6] = [
+    [30.0, 13.0, 1.2, 1.6, 1.2, 4.0, 1.2],
+    [32.0, 13.0, 1.3, 1.8, 1.2, 4.4, 5.5],
+    [29.0, 13.0, 2.2, 6.4, 1.2, 5.8, 1.2],
+    [32.0, 13.0, 2.2, 6.5, 1.2, 5.5, 1.8],
+    [32.0, 13.0, 1.4, 82.0, 1.2, 5.5, 1.2],
+    [32.0, 13.0, 1.3, 72.0, 1.2, 5.5, 1.2],
+];
 
 /// What the cone's root lacks: a share of the brightest that a normal shows between the same viewer and light.
 pub const ROOT: f64 = 1e-8;
@@ -69,14 +76,14 @@ impl Lit {
         self.method.truth(&self.glossy, &self.pixel)
     }
 
-    /// Whether the formula says anything: not where the viewer, within twice the [`reach`], is not above the surface or is
+    /// Whether the formula says anything: not where the viewer, within four times the [`reach`], is not above the surface or is
     /// opposite to the light, nor where all of a disc's rim is as near to the mirror ray.
     ///
     /// The viewer is 2^-14 above it at least, since below that every highlight is zero.
     pub fn is_defined(&self) -> bool {
         let reach = reach(self.format);
         let Pixel { n, v, l } = self.pixel.unit();
-        let above = cosine(n, v) > (2.0 * reach).max(1.0 / 16384.0 + reach);
+        let above = cosine(n, v) > (4.0 * reach).max(1.0 / 16384.0 + reach);
         let apart = PI - oracle::angle_between(v, l) > 2.0 * reach;
         let one_rim = PI - oracle::angle_between(mirrored(n, v), l) > reach;
         above && apart && one_rim

@@ -4,12 +4,14 @@
 use core::f64::consts::FRAC_PI_2;
 
 use super::super::Broken;
+use super::budget::step;
 use super::pixel::{cosine, mirrored};
 use super::{Exact, Shaded, Surface, surface_and_pixel};
 use crate::light::DistantLight;
 use crate::oracle::highlight::Pixel;
 use crate::trial::draw::Draw;
 use crate::trial::format::Format;
+use crate::trial::gloss::family;
 use crate::trial::shading::Shading;
 
 /// Reads a relation and says whether it is broken.
@@ -38,9 +40,10 @@ pub(super) fn hold(draw: &mut Draw<'_>, format: Format, method: Shading) -> Resu
             let sides = edge(draw, pixel, surface.light.angular_radius(), tiny);
             joined(sides.map(|pixel| shaded(method, surface, pixel)))
         }
-        _ => energies([Shading::None, Shading::KarisThird, Shading::ExactRp, Shading::Karis].map(|method| {
-            shaded(method, surface, pixel)
-        })),
+        _ => energies(
+            [Shading::None, Shading::KarisThird, Shading::ExactRp, Shading::Karis]
+                .map(|method| shaded(method, surface, pixel)),
+        ),
     }
 }
 
@@ -101,9 +104,11 @@ fn walk(draw: &mut Draw<'_>, surface: Surface) -> [Pixel; 2] {
     })
 }
 
-/// The farther, the less light: as seen by a metal, per area of the surface that the viewer sees.
+/// The farther from a point's highlight, the less light: as seen of a metal, per area of the surface that the viewer sees.
 fn fades([near, far]: [Shaded; 2]) -> Result<(), Broken> {
-    if !(near.lit.is_defined() && far.lit.is_defined()) || near.lit.glossy.f0 < 1.0 {
+    // The averages over large discs rise a little as the half vector leans, by their formulas.
+    let average = family(near.lit.method) > 1;
+    if average || !(near.lit.is_defined() && far.lit.is_defined()) || near.lit.glossy.f0 < 1.0 {
         return Ok(());
     }
     let seen = |shaded: &Shaded| cosine(shaded.lit.pixel.n, shaded.lit.pixel.v);
@@ -114,7 +119,7 @@ fn fades([near, far]: [Shaded; 2]) -> Result<(), Broken> {
 
 /// At the centre of the highlight a rougher surface is darker.
 fn rougher(smooth: &Shaded, rough: &Shaded) -> Result<(), Broken> {
-    // A mirror under a point has no highlight, nor one without an energy factor.
+    // A mirror under a point has no highlight, nor has one without an energy factor.
     if !(smooth.lit.is_defined() && rough.lit.is_defined()) || smooth.lit.glossy.alpha == 0.0 {
         return Ok(());
     }
@@ -146,12 +151,15 @@ fn joined([inside, outside]: [Shaded; 2]) -> Result<(), Broken> {
 
 /// The energy factors are in the order of their widths: none, a third, exact or a third, a half.
 fn energies([none, third, exact, half]: [Shaded; 4]) -> Result<(), Broken> {
+    // Karis's width is 1 at most, the exact one is not.
+    let half = if half.lit.glossy.alpha + half.lit.glossy.ratio / 2.0 > 1.0 { third } else { half };
+    let exact = if exact.lit.glossy.alpha + exact.lit.glossy.ratio / 2.0 > 1.0 { half } else { exact };
     // Of a mirror's image, without a factor the peak is infinite, and is given as zero.
     if none.lit.glossy.alpha == 0.0 {
         return Ok(());
     }
     // A division and two products each.
-    let slack = |value: f64| value * 16.0 * none.lit.format.step() + f64::from(half::f16::MIN_POSITIVE);
+    let slack = |value: f64| value * 16.0 * step(none.lit.format) + f64::from(half::f16::MIN_POSITIVE);
     for (name, less, more) in [
         ("karis is at most karis/3", half, third),
         ("karis/3 is at most none", third, none),
