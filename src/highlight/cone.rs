@@ -26,7 +26,8 @@ use crate::vec3::zip;
 /// + A_d) / (y + A_d)^2 + m_o (1 + A_o) / (y + A_o)^2)))`,
 ///
 /// which is GGX for `w = 0`, where `y = alpha^2 z^2 + m`. The root is found by three steps that put one pole in place of
-/// the two, which is right to 1e-8 of a pixel up to 75 degrees, and anywhere to 4e-5 of the highlight.
+/// the two, and by eight where the poles are far apart (from about 75 degrees on); what the root lacks is a 100 millionth of the
+/// highlight at most, anywhere (`trial::property::highlight::budget`).
 ///
 /// For `alpha = 0` the highlight is the sharp, elliptic image of the disc. For `x = 0` it is GGX; for both it is zero.
 /// Where the disc reaches to the viewer's opposite (`l.v <= w - 1`: for a ratio of 0.3 on from 81 degrees of incidence and
@@ -45,8 +46,9 @@ pub struct ConeGgx<T: Real> {
 /// between that and the point nearest to the mirror ray, the nearer to it the smaller the roughness is beside the
 /// disc. At the Sun the centre is good enough.
 ///
-/// That direction is a little shorter than 1, and `(v.h)^2 = (1 + m.v) / 2` taken of it loses digits where the viewer is about
-/// opposite: in f16, a degree above the surface, up to a quarter of the peak (`tests/highlight_failures.rs`).
+/// That direction `m` is a little shorter than 1. `(v.h)^2 = (1 + m.v) / 2` is taken as `(|m + v|^2 + 1 - |m|^2) / 4`, the latter
+/// from how far apart the two are that `m` lies between, so that nothing cancels where the viewer is about opposite. Zero where
+/// `n.l + n.v` is not above it, which under almost half the sky is an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShiftedConeGgx<T: Real> {
     cone: ConeGgx<T>,
