@@ -33,14 +33,14 @@ pub fn epic<T: Real>(l: [T; 3], r: [T; 3], light: &UnfactoredSphere<T>) -> [T; 3
 
 /// Epic's point with the distance divided out: `D = (l.r) r - l`, `P = l + D sat(x / |D|)`, normalised.
 ///
-/// Error: as that of [`cap`], about twice as large; budgets in `trial::budget`, asserted in `tests/specular.rs`. NaN
+/// Error: as that of [`cap`], about twice as large; budgets in `trial::budget`, from a search (`tests/search.rs`). NaN
 /// gives zero.
 ///
 /// `x` is radius over distance. `D` is perpendicular to the *line* of `r`, so that the turn is about `theta
 /// cos(angle)` in place of `theta`: exact inside the disc, for the Sun 0.34 % short at 5 degrees, half at 60, and
-/// *away* from `r` beyond 90 degrees. It is even in `r`: the sign of `reflect` does not matter. Where `P` is zero (`x
-/// = 1`, `l` perpendicular to `r`) the answer is zero. Meant for lights that subtend up to 180 degrees, as spheres
-/// do.
+/// *away* from `r` beyond 90 degrees. It is even in `r` (in I2F30 and I16F16 but for the last bit): the sign of
+/// `reflect` does not matter. Where `P` is zero (`x = 1`, `l` perpendicular to `r`) the answer is zero. Meant for lights
+/// that subtend up to 180 degrees, as spheres do.
 #[inline]
 pub fn factored<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let d = T::diff(T::dot(l, r), r, T::WIDE_ONE, l);
@@ -55,8 +55,8 @@ pub fn factored<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 
 ///
 /// For studies: the same answer as [`cap`] in exact arithmetic, but the cosine of a small disc is so close to 1 that
 /// f16 takes half of the directions at 5 radii of the Sun to be inside, and some at 10, and f32 has only 181 steps
-/// from the Sun's cosine to 1. At `r = -l` the answer is some direction of the rim: what rounding leaves of the
-/// tangent is normalised. NaN gives a zero vector, or `l` where `r` alone is NaN; an infinite `r` may be returned.
+/// from the Sun's cosine to 1. At `r = -l` and a few steps of the format from it the answer is some direction of the rim,
+/// on the wrong side even in f64: what rounding leaves of the tangent is normalised. NaN gives a zero vector, or `l` where `r` alone is NaN; an infinite `r` may be returned.
 #[inline]
 pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let l_dot_r = T::dot(l, r);
@@ -74,19 +74,20 @@ pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
 /// x^2`, the answer is `r` itself and costs no root; outside it is `l + (x / |s|) s - w l`, `w` being the versine.
 /// The rim of discs between 44 and 136 degrees is told by its cosine.
 ///
-/// At `r = -l` every direction on the rim is as near: the answer is `l`; for the full sphere it is `r`. For `x = 0`
+/// At `r = -l` every direction on the rim is as near: the answer is `l`; for the full sphere it is `r`. Within a step of
+/// the format of `-l` it is some direction of the rim, in f16 up to `2.3e-2 x` beyond it. For `x = 0`
 /// the answer is `l`, but `r` where the two are parallel to within a step of the format. A zero `r` gives zero, a
 /// zero `l` gives `x r`. Where `r` is not finite the answer is `l`; where `l` is not finite, or longer than 2, it is
 /// zero.
 ///
 /// Error at the Sun in radians, all angles but those within a step of the format of `-l`, against exact arithmetic on
-/// the same inputs; the budgets that `tests/specular.rs` asserts (other discs: `trial::budget`; that of f64 is
-/// held against 192 bits too, in `tests/oracle.rs`). The length is 1 to within 2.1e-7 in f32, 4.2e-3 in f16, 1.3e-4 in I2F14 and
-/// 1.9e-9 in I2F30, under discs up to a ratio of 1:
+/// the same inputs: 12 % above the worst that a search has found (`tests/search.rs`; other discs: `trial::budget`; that
+/// of f64 is held against 192 bits too, in `tests/oracle.rs`). The length is 1 to within 3.1e-7 in f32, 7.4e-3 in f16, 1.6e-4 in I2F14 and
+/// 2.8e-9 in I2F30, under discs up to a ratio of 1:
 ///
 /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
 /// |---|---|---|---|---|---|---|---|
-/// | worst | 2.5e-16 | 5.4e-8 | 7.5e-8 | 4.4e-4 | 5.8e-5 | 1.4e-9 | 1.5e-5 |
+/// | worst | 2.5e-16 | 5.7e-8 | 7.9e-8 | 4.8e-4 | 6.0e-5 | 1.5e-9 | 1.5e-5 |
 /// | root mean square | 4.6e-17 | 1.4e-8 | 1.8e-8 | 1.1e-4 | 2.3e-5 | 4.5e-10 | 5.7e-6 |
 ///
 /// Cost: three dot products (four where `l.r < 0`), and outside the disc one root.
@@ -135,8 +136,8 @@ pub fn reflect<T: Real>(n: [T; 3], v: [T; 3]) -> [T; 3] {
 
 /// `v` at unit length. A zero vector, and one with a NaN or an infinity, gives zero.
 ///
-/// Worst error of direction and of length, over lengths from tiny to huge (`tests/specular.rs`): f32 6.6e-8 rad and
-/// 1.7e-7, f16 5.5e-4 and 1.6e-3, I2F14 5.6e-5 and 5.3e-5, I2F30 8.8e-10 and 1.1e-9, I16F16 1.4e-5 and 1.5e-5.
+/// Worst error of direction and of length, over lengths from tiny to huge (`tests/search.rs`): f32 7.8e-8 rad and
+/// 1.7e-7, f16 6.2e-4 and 1.8e-3, I2F14 5.9e-5 and 5.9e-5, I2F30 9.0e-10 and 1.2e-9, I16F16 1.5e-5 and 1.5e-5.
 #[inline]
 pub fn normalize<T: Real>(v: [T; 3]) -> [T; 3] {
     T::normalize(v)

@@ -73,7 +73,9 @@ impl<T: Float> DistantSphere<T> {
 }
 
 const fn least_cosine(light: &DistantLight) -> f64 {
-    if light.versine() >= 2.0 { -2.0 } else { light.cos() }
+    // The sine tells what the cosine has lost: a gap of 1e-9 about the opposite, which is no part of the disc.
+    let full = light.versine() >= 2.0 && light.sin() <= f64::EPSILON;
+    if full { -2.0 } else { light.cos() }
 }
 
 /// What [`epic`](crate::epic) needs of a light: radius and distance, not divided by each other.

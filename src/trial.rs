@@ -2,6 +2,7 @@
 //!
 //! No standard library, no allocation.
 
+pub mod aim;
 pub mod blackbody;
 pub mod budget;
 pub mod diffuse;
@@ -17,8 +18,10 @@ pub mod property;
 pub mod quantity;
 pub mod radiometry;
 pub mod sampling;
+pub mod search;
 pub mod shading;
 pub mod shadow;
+pub mod worst;
 
 pub use draw::Draw;
 pub use format::{Format, Visitor};

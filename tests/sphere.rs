@@ -44,7 +44,8 @@ fn scale<T: Real>() -> Big {
 /// The truth of the four constants: sine, its square in the format's scale, least cosine, versine.
 fn constants_of<T: Real>(truth: &Truth, light: &DistantLight) -> [Big; 4] {
     // All directions are inside the whole sky, also those whose dot product is a rounding below -1.
-    let cos = if light.versine() >= 2.0 { big(-2.0) } else { truth.cos.clone() };
+    let full = light.cos() < 0.0 && light.sin() <= f64::EPSILON;
+    let cos = if full { big(-2.0) } else { truth.cos.clone() };
     [truth.sin.clone(), square(&(&truth.sin * scale::<T>())), cos, truth.versine.clone()]
 }
 
