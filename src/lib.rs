@@ -78,6 +78,8 @@ pub mod radiometry;
 pub mod raw;
 pub mod real;
 #[cfg(feature = "fixed")]
+mod reciprocal;
+#[cfg(feature = "fixed")]
 mod root;
 pub mod sampling;
 #[cfg(feature = "heapless")]

@@ -14,9 +14,9 @@
 //! they cover lights up to half the sky. [`DistantLight`] has the same quantities in f64, also in constants, for
 //! every angle up to 360 degrees and so with sizeFactor's third branch.
 //!
-//! Error, asserted in `tests/normalization.rs` for ratios from 1e-6 (below 1e-17 f32's squares lose digits): at most
-//! 0.51 units in the last place in f64, f32 and micromath and 0.8 in f16, but 2 in [`sun_radius_at`] and 3 in f16's
-//! [`radiance`]; 6 in f64 for a [`DistantLight`]; 1 unit of the last place in fixed point, but 2 for
+//! Error, over every ratio that f32, f16 and I2F30 have (`tests/exhaustive.rs`; f64 against 192 bits in
+//! `tests/normalization.rs`): at most 0.51 units in the last place in f64, f32 and micromath, 0.76 where the answer is
+//! subnormal, and 0.8 in f16; 6 in f64 for a [`DistantLight`]; 0.51 units of the last place in fixed point, but 2 for
 //! [`DistantLight::inverse_size_factor_q12`]. The fixed-point formats have 64 bits because no 32-bit format covers
 //! sizeFactor from `x = 1e-6` (3.1e-12) to 1 (pi): U16F48 is 0.06 % coarse at the small end, U52F12 0.08 % at the
 //! other.
@@ -29,6 +29,9 @@ use crate::real::{Float, Real};
 
 /// The Sun's radius over its distance from Earth, from the figures of [`SUN`](crate::SUN).
 const SUN_RATIO: f64 = SOLAR_RADIUS_KM / ASTRONOMICAL_UNIT_KM;
+
+/// What that lacks of 6 957 000 / 1 495 978 707.
+const SUN_RATIO_REST: f64 = -7.436082772989386e-19;
 
 impl DistantLight {
     /// Solid angle in steradians: `2 pi w`, from 0 to `4 pi`.
@@ -120,17 +123,18 @@ pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
     if ratio == T::WIDE_ZERO {
         return Ok(T::WIDE_ONE);
     }
-    inverse(Pair::constant(T::INVERSE_PI), ratio)
+    inverse(Pair::constant(T::INVERSE_PI), T::WIDE_ONE, ratio)
 }
 
 /// Radiance of a sphere that is normalised to give `intensity` as illuminance: `intensity / (pi x^2)`; `intensity`
 /// for `x = 0`.
 ///
-/// In f16 within 3 ULP for intensities from 0.001; below 2e-4 a third of the intensity is subnormal.
+/// Within the bound of the others for ratios from 1e-27 and all intensities in f32, for ratios from 1/4096 and intensities
+/// from 0.001 in f16; below, squares and quotients lose digits.
 ///
 /// # Errors
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Intensity`] where `intensity` is
-/// negative, NaN or infinite; [`LightError::Overflow`] where the answer is infinite, in f16 from 65 000 on.
+/// negative, NaN or infinite; [`LightError::Overflow`] where the answer is infinite, in f16 from 65 520 on.
 pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
     let ratio = checked(ratio)?;
     let zero = T::WIDE_ZERO;
@@ -141,7 +145,8 @@ pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
     if ratio == zero || intensity == zero {
         return Ok(intensity);
     }
-    inverse(Pair { high: intensity, low: zero }.over(Pair::constant(T::PI)), ratio)
+    let lift = scale(intensity);
+    inverse(Pair { high: intensity * lift, low: zero }.over(Pair::constant(T::PI)), lift, ratio)
 }
 
 /// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white.
@@ -154,7 +159,7 @@ pub fn white_radiance<T: Float>(ratio: T) -> Result<T, LightError> {
     if ratio == T::WIDE_ZERO {
         return Err(LightError::Overflow(T::FORMAT));
     }
-    inverse(Pair::constant([T::WIDE_ONE, T::WIDE_ZERO]), ratio)
+    inverse(Pair::constant([T::WIDE_ONE, T::WIDE_ZERO]), T::WIDE_ONE, ratio)
 }
 
 /// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit: `distance` times 695 700
@@ -168,12 +173,29 @@ pub fn sun_radius_at<T: Float>(distance: T) -> Result<T, LightError> {
     if !allowed {
         return Err(LightError::Distance(distance.exact()));
     }
-    Ok(distance * T::nearest(SUN_RATIO))
+    let high = T::nearest(SUN_RATIO);
+    let low = T::nearest((SUN_RATIO - high.exact()) + SUN_RATIO_REST);
+    let scale = scale(distance);
+    let scaled = distance * scale;
+    let product = Pair::product(scaled, high);
+    Ok((product.high + (product.low + scaled * low)) / scale)
 }
 
-/// `(s x)^2` and the scale `s`, which keeps the squares of small ratios from being subnormal in f16.
+/// A power of two by which a number is multiplied before products are taken: small ones, so that those have all their
+/// digits, and great ones, since no factor may be next to the format's end.
+fn scale<T: Float>(value: T) -> T {
+    if value < T::TINY {
+        T::WIDE_ONE / (T::TINY * T::TINY)
+    } else if value > T::WIDE_ONE / T::TINY {
+        T::TINY
+    } else {
+        T::WIDE_ONE
+    }
+}
+
+/// `(s x)^2` and the scale `s`, which keeps the squares of small ratios from being subnormal.
 fn scaled_square<T: Float>(ratio: T) -> (Pair<T>, T) {
-    let scale = if ratio < T::nearest(0.125) { T::SCALE } else { T::WIDE_ONE };
+    let scale = scale(ratio);
     (Pair::product(ratio * scale, ratio * scale), scale)
 }
 
@@ -192,11 +214,12 @@ pub(crate) fn cosine<T: Float>(ratio: T) -> Pair<T> {
     Pair::sum(one, zero - ratio).times(Pair::sum(one, ratio)).root()
 }
 
-/// `dividend / x^2`.
-fn inverse<T: Float>(dividend: Pair<T>, ratio: T) -> Result<T, LightError> {
+/// `dividend / lift / x^2`.
+fn inverse<T: Float>(dividend: Pair<T>, lift: T, ratio: T) -> Result<T, LightError> {
     let (square, scale) = scaled_square(ratio);
-    // Where the dividend overflows, so would the answer.
-    let quotient = dividend.scaled(scale).over(square).rounded() * scale;
+    // Of the two, the quotient that is the nearer to 1.
+    let before = if dividend.high < square.high { scale } else { T::WIDE_ONE };
+    let quotient = dividend.scaled(before).over(square).rounded() * (scale / before) * (scale / lift);
     if quotient <= T::MAX { Ok(quotient) } else { Err(LightError::Overflow(T::FORMAT)) }
 }
 

@@ -13,6 +13,7 @@ pub mod gloss;
 pub mod input;
 pub mod judge;
 pub mod lights;
+pub mod mantissa;
 pub mod method;
 pub mod property;
 pub mod quantity;

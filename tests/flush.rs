@@ -86,6 +86,7 @@ impl<const SCALED: bool> Float for Flushing<SCALED> {
     const FORMAT: &'static str = "flushing f16";
     const STEEP: [Self; 2] = pair(<f16 as Float>::STEEP);
     const SCALE: Self = Self(if SCALED { <f16 as Float>::SCALE } else { <f16 as Scalar>::ONE });
+    const TINY: Self = Self(if SCALED { <f16 as Float>::TINY } else { <f16 as Scalar>::ONE });
     const SAFE_SQUARE: [Self; 2] = pair(<f16 as Float>::SAFE_SQUARE);
     const SPLITTER: Self = Self(<f16 as Float>::SPLITTER);
     const PI: [Self; 2] = pair(<f16 as Float>::PI);

@@ -21,7 +21,7 @@ pub(crate) struct Q60 {
 }
 
 impl Q60 {
-    /// From radius over distance; the squared sine is exact, cosine and versine within 1 unit of the last place.
+    /// From radius over distance; the squared sine is exact, cosine and versine are within 0.75 of the last place.
     pub(crate) fn of(ratio: I2F30) -> Result<Self, LightError> {
         let bits = ratio.to_bits();
         if !(0..=1 << 30).contains(&bits) {
@@ -29,10 +29,10 @@ impl Q60 {
         }
         let ratio = bits as u64;
         let sin_square = ratio * ratio;
-        let cos = (u128::from((1 << 60) - sin_square) << 60).isqrt() as u64;
-        // The divisor is at least 2^60, so the division cannot fail.
-        let versine = (u128::from(sin_square) << 60).div_ceil((1_u128 << 60) + u128::from(cos)) as u64;
-        Ok(Self { sin: ratio << 30, sin_square, cos, versine })
+        // In Q62, so that two more bits are there to round.
+        let cos = (u128::from((1 << 60) - sin_square) << 64).isqrt();
+        let versine = quotient(u128::from(sin_square) << 62, (1_u128 << 62) + cos) as u64;
+        Ok(Self { sin: ratio << 30, sin_square, cos: round(cos, 2), versine })
     }
 }
 
@@ -117,12 +117,12 @@ pub fn white_radiance_q30(ratio: I2F30) -> Result<U52F12, LightError> {
 /// # Errors
 /// [`LightError::DistanceBits`] where `distance` is not positive.
 pub fn sun_radius_at_q16(distance: I16F16) -> Result<I16F16, LightError> {
-    const RATIO_Q32: i64 = constant::to_fixed(SUN_RATIO, 32);
+    const RATIO_Q38: i64 = constant::to_fixed(SUN_RATIO, 38);
     let bits = distance.to_bits();
     if bits <= 0 {
         return Err(LightError::DistanceBits(bits));
     }
-    Ok(I16F16::from_bits(((i64::from(bits) * RATIO_Q32 + (1 << 31)) >> 32) as i32))
+    Ok(I16F16::from_bits(((i64::from(bits) * RATIO_Q38 + (1 << 37)) >> 38) as i32))
 }
 
 impl DistantLight {

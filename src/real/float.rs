@@ -17,6 +17,10 @@ pub trait Float: Scalar {
     /// stays a normal number. 1 where the format's exponent is wide enough.
     const SCALE: Self;
 
+    /// A power of two. Radius over distance is divided by its square where it is below it, before it is squared, so that no
+    /// digit of the square is lost to underflow, and neither overflow where the answer does not.
+    const TINY: Self;
+
     /// Squared lengths that have lost nothing to overflow or underflow: [`Real::normalize`] rescales beyond them.
     const SAFE_SQUARE: [Self; 2];
 
@@ -104,6 +108,9 @@ impl Float for f64 {
 
     const SCALE: Self = 1.0;
 
+    // 2^-100
+    const TINY: Self = 7.888_609_052_210_118e-31;
+
     const SAFE_SQUARE: [Self; 2] = [1e-30, 1e30];
 
     const SPLITTER: Self = 134_217_729.0;
@@ -169,6 +176,9 @@ impl Float for f32 {
     const STEEP: [Self; 2] = [-STEEP_COSINE as f32, STEEP_COSINE as f32];
 
     const SCALE: Self = 1.0;
+
+    // 2^-30
+    const TINY: Self = 9.313_226e-10;
 
     const SAFE_SQUARE: [Self; 2] = [1e-30, 1e30];
 

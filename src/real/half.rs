@@ -59,6 +59,8 @@ impl Float for f16 {
     // The Sun's x^2 = 2.2e-5 is below f16's smallest normal number, which hardware may flush to zero; (64 x)^2 is not.
     const SCALE: Self = nearest(SQUARE_SCALE);
 
+    const TINY: Self = nearest(0.125);
+
     const SAFE_SQUARE: [Self; 2] = [nearest(0.0625), nearest(1024.0)];
 
     const SPLITTER: Self = nearest(65.0);

@@ -29,7 +29,8 @@ impl Scalar for F32 {
 
     #[inline]
     fn root(self) -> Self {
-        self * reciprocal_root(self)
+        // The bit trick takes the root of a negative number's size.
+        if self < Self::ZERO { Self::ZERO } else { self * reciprocal_root(self) }
     }
 
     #[inline]
@@ -54,6 +55,8 @@ impl Float for F32 {
     const STEEP: [Self; 2] = [F32(-STEEP_COSINE as f32), F32(STEEP_COSINE as f32)];
 
     const SCALE: Self = F32(1.0);
+
+    const TINY: Self = F32(<f32 as Float>::TINY);
 
     const SAFE_SQUARE: [Self; 2] = [F32(1e-30), F32(1e30)];
 

@@ -4,12 +4,13 @@ use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Sub};
 
 use super::{Constant, Scalar};
-use crate::root::reciprocal_root_of_whole;
+use crate::reciprocal::fraction_of_reciprocal;
+use crate::root::fraction_of_reciprocal_root;
 
 /// A 31-bit mantissa and a sign, Q31 in [1/2, 1), times a power of two. Integer arithmetic alone.
 ///
 /// Sums and products are rounded to nearest: within 0.5 units of the last place, which is `2^-30` of the value or less.
-/// Quotients are within 2.5, by a power of two exact, and roots within 1.1 (`tests/scaled.rs`). There is no NaN and no
+/// Quotients and roots are within 0.77, by and of a power of two exact (`tests/scaled.rs`, `tests/exhaustive.rs`). There is no NaN and no
 /// infinity: what is divided by zero is [`Scalar::MAX`] or its negative (zero for zero), and the root of a negative
 /// number is zero.
 ///
@@ -112,14 +113,11 @@ impl Scaled {
         Self { mantissa: self.mantissa.wrapping_neg(), ..self }
     }
 
-    /// `2^31 times 1 / sqrt(size)` of the size of a number that is not zero, and half of its exponent: the root is
-    /// `root 2^(-31 - half)`.
+    /// The mantissa times 1 and a `fraction` in Q32, which together are 33 bits: Q62, and more than its last bit is not lost.
     #[inline]
-    fn reciprocal_root(self) -> (u32, i32) {
-        // An even exponent leaves the mantissa in [1/4, 1) of 32 bits.
-        let odd = self.exponent & 1;
-        let root = reciprocal_root_of_whole(self.mantissa.unsigned_abs() << (1 - odd));
-        (root, self.exponent.wrapping_add(odd) / 2)
+    fn times_one_and(self, fraction: u32) -> i64 {
+        let mantissa = i64::from(self.mantissa);
+        (mantissa << 31).wrapping_add(mantissa.wrapping_mul(fraction.into()) >> 1)
     }
 
     #[inline]
@@ -178,16 +176,8 @@ impl Div for Scaled {
             (0, _) => ZERO,
             (_, 0) => MAX.signed_by(self),
             _ => {
-                // The root of a power of two would not fit 32 bits, and its quotient should be exact.
-                if other.mantissa.unsigned_abs() == 1 << 30 {
-                    let exponent = self.exponent.wrapping_sub(other.exponent).wrapping_add(1);
-                    return Self { exponent, ..self }.signed_by(other);
-                }
-                // No division instruction, and none of the library's: the square of the reciprocal root.
-                let (root, half) = other.reciprocal_root();
-                let reciprocal = (u64::from(root) * u64::from(root)).wrapping_add(1 << 31) >> 32;
-                let quotient = i64::from(self.mantissa).wrapping_mul(reciprocal as i64);
-                let exponent = self.exponent.wrapping_sub(half.wrapping_mul(2)).wrapping_sub(61);
+                let quotient = self.times_one_and(fraction_of_reciprocal(other.mantissa.unsigned_abs()));
+                let exponent = self.exponent.wrapping_sub(other.exponent).wrapping_sub(62);
                 Self::from_bits(quotient, exponent).signed_by(other)
             }
         }
@@ -226,9 +216,11 @@ impl Scalar for Scaled {
         if self.mantissa <= 0 {
             return ZERO;
         }
-        let (root, half) = self.reciprocal_root();
-        let product = i64::from(self.mantissa).wrapping_mul(root.into());
-        Self::from_bits(product, self.exponent.wrapping_sub(half).wrapping_sub(62))
+        // An even exponent leaves the mantissa in [1/4, 1) of 32 bits.
+        let odd = self.exponent & 1;
+        let fraction = fraction_of_reciprocal_root(self.mantissa.unsigned_abs() << (1 - odd));
+        let half = self.exponent.wrapping_add(odd) / 2;
+        Self::from_bits(self.times_one_and(fraction), self.exponent.wrapping_sub(half).wrapping_sub(62))
     }
 
     #[inline]

@@ -1,0 +1,151 @@
+//! Every kernel of one argument over every input that its format has, those of two short arguments over all pairs, and the
+//! worst cases that were found.
+//!
+//! `cargo test` tries the recorded worst inputs again. All inputs, ten minutes on two cores:
+//! `cargo test --release --test exhaustive -- --ignored --nocapture --test-threads 1`; `SUNGLINT_RECORD=1` prints lines for
+//! `tests/worst/kernels.csv` in place of asserting that they are there.
+
+#[path = "../exact/mod.rs"]
+mod exact;
+mod floats;
+mod integers;
+mod kernels;
+mod run;
+
+use kernels::Kernel;
+use run::Worst;
+
+/// What was found when all inputs were tried, and the day.
+const RECORDED: &str = include_str!("../worst/kernels.csv");
+
+struct Record {
+    name: String,
+    format: String,
+    count: u64,
+    worst: Worst,
+    bound: f64,
+}
+
+fn records() -> Vec<Record> {
+    let record = |line: &str| {
+        let [name, format, count, bits, error, bound, _unit, _date] =
+            line.split(';').collect::<Vec<_>>().try_into().unwrap_or_else(|_| panic!("{line}"));
+        Record {
+            name: name.into(),
+            format: format.into(),
+            count: count.parse().unwrap(),
+            worst: Worst { error: error.parse().unwrap(), bits: u64::from_str_radix(&bits[2..], 16).unwrap() },
+            bound: bound.parse().unwrap(),
+        }
+    };
+    RECORDED.lines().skip(1).map(record).collect()
+}
+
+/// To four digits.
+fn digits(error: f64) -> String {
+    format!("{error:.3e}")
+}
+
+fn count(kernel: &Kernel) -> u64 {
+    kernel.inputs[1] - kernel.inputs[0] + 1
+}
+
+fn line(kernel: &Kernel, worst: Worst) -> String {
+    let Kernel { name, format, unit, bound, .. } = kernel;
+    format!("{name};{format};{};{:#x};{:.6};{bound};{unit}", count(kernel), worst.bits, worst.error)
+}
+
+/// Tries all inputs of all formats of a kernel; finds what is recorded.
+fn prove(name: &str) {
+    let kernels: Vec<_> = kernels::all().into_iter().filter(|kernel| kernel.name == name).collect();
+    assert!(!kernels.is_empty(), "{name}");
+    for kernel in &kernels {
+        let start = std::time::Instant::now();
+        let worst = run::worst(&format!("{name} in {}", kernel.format), kernel.inputs, &*kernel.error);
+        println!("{};{:.1} s", line(kernel, worst), start.elapsed().as_secs_f64());
+        if std::env::var_os("SUNGLINT_RECORD").is_some() {
+            continue;
+        }
+        assert!(worst.error <= kernel.bound && worst.error >= kernel.bound / 4.0, "{worst:x?}");
+        let record =
+            records().into_iter().find(|record| record.name == name && record.format == kernel.format).unwrap();
+        assert_eq!([count(kernel), worst.bits], [record.count, record.worst.bits], "{name} in {}", kernel.format);
+        assert_eq!(digits(worst.error), digits(record.worst.error), "{name} in {}", kernel.format);
+    }
+}
+
+#[test]
+fn recorded_worst_cases_are_as_recorded_and_bounds_are_tight() {
+    let records = records();
+    let kernels = kernels::all();
+    let named = |name: &str, format: &str| records.iter().find(|record| record.name == name && record.format == format);
+    for kernel in &kernels {
+        let record = named(kernel.name, kernel.format).unwrap_or_else(|| panic!("{} {}", kernel.name, kernel.format));
+        let error = (kernel.error)(record.worst.bits).abs();
+        assert_eq!(digits(error), digits(record.worst.error), "{} in {}", kernel.name, kernel.format);
+        assert!(error <= kernel.bound && error >= kernel.bound / 4.0, "{} in {}: {error}", kernel.name, kernel.format);
+        assert_eq!((record.bound, record.count), (kernel.bound, count(kernel)), "{} in {}", kernel.name, kernel.format);
+    }
+    assert_eq!(records.len(), kernels.len());
+}
+
+/// A spread of inputs, of which none may be worse than the recorded one.
+#[test]
+fn no_input_of_a_spread_is_worse_than_the_recorded() {
+    for (kernel, record) in kernels::all().iter().zip(records()) {
+        let [first, last] = kernel.inputs;
+        let step = ((last - first) / 50_000) | 1;
+        for bits in (first..=last).step_by(step as usize).chain([last]) {
+            let error = (kernel.error)(bits).abs();
+            assert!(error <= record.worst.error + 1e-6, "{} in {}: {error} at {bits:#x}", kernel.name, kernel.format);
+        }
+    }
+}
+
+/// Each name of the list has its test below.
+macro_rules! proofs {
+    ($($test:ident: $name:literal;)*) => {
+        $(
+            #[test]
+            #[ignore = "every input: cargo test --release --test exhaustive -- --ignored --nocapture --test-threads 1"]
+            fn $test() {
+                prove($name);
+            }
+        )*
+
+        #[test]
+        fn every_kernel_has_its_proof() {
+            let proved = [$($name),*];
+            for kernel in kernels::all() {
+                assert!(proved.contains(&kernel.name), "{}", kernel.name);
+            }
+        }
+    };
+}
+
+proofs! {
+    reciprocal_root: "reciprocal_root";
+    fraction_of_reciprocal_root: "fraction_of_reciprocal_root";
+    fraction_of_reciprocal: "fraction_of_reciprocal";
+    reciprocal: "reciprocal";
+    quotient: "quotient, any dividend";
+    root: "root";
+    versine: "versine";
+    solid_angle: "solid_angle";
+    size_factor: "size_factor";
+    inverse_size_factor: "inverse_size_factor";
+    white_radiance: "white_radiance";
+    from_ratio: "from_ratio";
+    from_ratio_q30: "from_ratio_q30";
+    sun_radius_at: "sun_radius_at";
+    sun_radius_at_q16: "sun_radius_at_q16";
+    sin_cos: "sin_cos";
+    relative_to_peak: "relative_to_peak";
+    relative_to_peak_q16: "relative_to_peak_q16";
+    relative_to_peak_frequency: "relative_to_peak_frequency";
+    relative_to_peak_frequency_q16: "relative_to_peak_frequency_q16";
+    karis: "karis";
+    exact_rp: "exact_rp";
+    radiance: "radiance, from 0.001 and 1/4096";
+    normalize: "normalize_q14, (x, y, 0)";
+}
