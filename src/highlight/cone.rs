@@ -36,7 +36,7 @@ use crate::vec3::zip;
 /// however far across.
 ///
 /// Root mean square error of a whole pixel's arithmetic, relative, under the Sun (`trial::gloss`, `tests/gloss.rs`): for `alpha =
-/// 0.001` f32 1.1e-5, f16 0.093, I2F14 2.2e-3, I2F30 2.7e-8; for 0.0625 f32 3.4e-7, f16 2.8e-3, I2F14 1.7e-4, I2F30 2.9e-9.
+/// 0.001` f32 1.1e-5, f16 0.093, I2F14 2.2e-3, I2F30 2.7e-8; for 0.0625 f32 3.4e-7, f16 2.8e-3, I2F14 1.7e-4, I2F30 2.8e-9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeGgx<T: Real> {
     width: Width<T::Scalar>,

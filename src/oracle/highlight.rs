@@ -57,9 +57,21 @@ impl Pixel {
     pub fn off_the_mirror(&self, ratio: f64, distance: f64) -> Vector {
         let r = mirror(self);
         let apart = add(r, scale(nearest_in_disc(self.l, r, super::angular_radius(ratio)), -1.0));
-        let size = length(apart);
-        if size > distance { scale(apart, distance / size) } else { apart }
+        at_most(apart, distance)
     }
+
+    /// How far the sum of the viewer and the disc's nearest point lies from the normal, which way, and at most `distance`.
+    pub fn off_the_normal(&self, ratio: f64, distance: f64) -> Vector {
+        let nearest = nearest_in_disc(self.l, mirror(self), super::angular_radius(ratio));
+        let sum = add(nearest, self.v);
+        at_most(add(scale(self.n, dot(self.n, sum)), scale(sum, -1.0)), distance)
+    }
+}
+
+/// A vector, or its part of a length.
+fn at_most(vector: Vector, most: f64) -> Vector {
+    let size = length(vector);
+    if size > most { scale(vector, most / size) } else { vector }
 }
 
 impl Glossy {

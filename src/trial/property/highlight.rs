@@ -106,11 +106,15 @@ impl Visitor for Exact {
     fn visit<T: Real>(self) -> Shaded {
         let Self { method, surface: Surface { light, alpha, f0 }, pixel: Pixel { n, v, l } } = self;
         let rounded = |value: f64| T::Scalar::nearest(value).exact();
-        let glossy = Glossy { alpha: rounded(alpha), f0: rounded(f0), ratio: light.sin() };
+        let sphere = DistantSphere::of(&light);
+        // As the format holds it: I2F14 in steps of 2^-28, a 270th of a ratio of a millionth. That of a wide disc hardly says how
+        // wide it is; the cosine does.
+        let ratio = if light.sin() < 0.5 { T::scalar(sphere.sin()).exact() } else { light.sin() };
+        let glossy = Glossy { alpha: rounded(alpha), f0: rounded(f0), ratio };
         let lanes = [n, v, l].map(|vector| vector.map(T::from_f64));
         let [n, v, l] = lanes.map(|vector| vector.map(T::to_f64));
         let lit = Lit { format: format_of::<T>(), method, glossy, pixel: Pixel { n, v, l } };
-        let found = method.radiance::<T>(&glossy, &DistantSphere::of(&light), lanes);
+        let found = method.radiance::<T>(&glossy, &sphere, lanes);
         Shaded { lit, found, truth: lit.truth() }
     }
 }
