@@ -22,6 +22,8 @@ const LENGTH: usize = 128;
 struct Judged {
     /// Its error over what is allowed.
     share: f64,
+    /// The same without what is allowed for the root, whose tightness is shown in f64.
+    without_root: f64,
     /// What of the error is neither a change of directions nor the root's, in steps; negative where those would have done.
     steps: f64,
     /// What of it is no change of directions, over what the root may make.
@@ -29,7 +31,7 @@ struct Judged {
 }
 
 impl Judged {
-    const NOTHING: Self = Self { share: 0.0, steps: f64::NEG_INFINITY, root: 0.0 };
+    const NOTHING: Self = Self { share: 0.0, without_root: 0.0, steps: f64::NEG_INFINITY, root: 0.0 };
 
     fn of(bytes: &[u8], format: Format, method: Shading) -> Self {
         let (surface, pixel) = surface_and_pixel(&mut Draw::new(bytes));
@@ -43,7 +45,8 @@ impl Judged {
         let parts = shaded.lit.allowance(shaded.truth);
         let steps = (error - parts.change - parts.root) / (budget::step(format) * parts.unit);
         let root = (error - parts.change).max(0.0) / parts.root;
-        Self { share: error / shaded.lit.allowed(shaded.truth), steps, root }
+        let allowed = shaded.lit.allowed(shaded.truth);
+        Self { share: error / allowed, without_root: error / (allowed - parts.root), steps, root }
     }
 
     /// What a climb to the worst case makes greater.
@@ -157,7 +160,8 @@ fn the_worst_that_a_search_finds_is_allowed_and_not_much_less_than_that() {
             let peaks = search(format, method, 1, effort, &[start], Judged::score);
             let share = peaks.iter().map(|peak| peak.judged.share).fold(0.0, f64::max);
             let name = format!("{} in {}", method.name(), format.name());
-            assert!((0.25..=1.0).contains(&share), "{name}: {share} of what is allowed");
+            let tight = peaks.iter().map(|peak| peak.judged.without_root).fold(0.0, f64::max);
+            assert!(share <= 1.0 && tight >= 0.25, "{name}: {share} of what is allowed, {tight} without the root");
         }
     }
 }
@@ -179,7 +183,7 @@ fn the_full_search_finds_what_is_recorded() {
     let seed: u64 =
         std::env::var("SUNGLINT_SEED").map_or(1, |seed| seed.parse().expect("SUNGLINT_SEED is a whole number"));
     let before = recorded();
-    let effort = Effort { random: 30_000, climbs: 30, climb: 1200 };
+    let effort = Effort { random: 20_000, climbs: 20, climb: 700 };
     let cell = |family: usize, format: Format| {
         let starts: Vec<_> =
             before.get(&(family, format as usize)).map(|(peak, _)| peak.bytes.clone()).into_iter().collect();

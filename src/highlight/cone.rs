@@ -27,7 +27,7 @@ use crate::vec3::zip;
 ///
 /// which is GGX for `w = 0`, where `y = alpha^2 z^2 + m`. The root is found by three steps that put one pole in place of
 /// the two, and by eight where the poles are far apart (from about 75 degrees on); what the root lacks is a 100 millionth of the
-/// highlight at most, anywhere (`trial::property::highlight::budget`).
+/// highlight on random pixels; a search has found pixels up to 6e-7 off the f64 truth (`tests/highlight_budget.rs`).
 ///
 /// For `alpha = 0` the highlight is the sharp, elliptic image of the disc. For `x = 0` it is GGX; for both it is zero.
 /// Where the disc reaches to the viewer's opposite (`l.v <= w - 1`: for a ratio of 0.3 on from 81 degrees of incidence and

@@ -37,8 +37,9 @@ impl Pixel {
 
     /// The same with the light or the viewer moved by `distance`: in their plane, out of it and along themselves, to and
     /// fro; with the normal moved as far towards their half vector, but not beyond it; and with the light moved towards the
-    /// mirror ray, likewise, and away from it.
-    pub fn beside(&self, distance: f64) -> [Self; 15] {
+    /// mirror ray, likewise, and away from it; and with the light or the viewer moved so that the half vector comes nearer to the
+    /// normal.
+    pub fn beside(&self, distance: f64) -> [Self; 17] {
         let &Self { n, v, l } = self;
         let about = |axis: Vector, toward: Vector| {
             let [first, second] = frame(axis, toward);
@@ -50,7 +51,10 @@ impl Pixel {
         let toward = Self { n: nearest_in_disc(n, add(l, v), distance), v, l };
         let near = Self { n, v, l: nearest_in_disc(l, mirror(self), distance) };
         let away = Self { n, v, l: [0, 1, 2].map(|i| 2.0 * l[i] - turn(l, mirror(self), distance)[i]) };
-        [a, b, c, d, e, f, g, h, i, j, k, m, toward, near, away]
+        let lean = self.off_the_normal(0.0, distance);
+        let by_light = Self { n, v, l: add(l, lean) };
+        let by_viewer = Self { n, v: add(v, lean), l };
+        [a, b, c, d, e, f, g, h, i, j, k, m, toward, near, away, by_light, by_viewer]
     }
 
     /// How far the disc's nearest point lies from the mirror ray, which way, and at most `distance`.

@@ -134,7 +134,7 @@ fn total(draw: &mut Draw<'_>, format: Format, method: Shading) -> Result<(), Bro
     };
     // A comparison would let NaN through.
     let alpha = if alpha.is_nan() { 0.0 } else { alpha };
-    let vectors = if draw.byte() % 2 == 0 {
+    let vectors = if draw.byte().is_multiple_of(2) {
         [(); 3].map(|()| [(); 3].map(|()| draw.any(format)))
     } else {
         let Pixel { n, v, l } = pixel::pixel(draw, &light, alpha);

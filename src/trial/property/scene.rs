@@ -32,7 +32,7 @@ fn numbers(draw: &mut Draw<'_>, format: Format) -> [f64; 7] {
         1 => draw.one_of([0.0, 1.0, 1.0_f64.next_up(), -f64::MIN_POSITIVE, 2.0, -1.0]),
         _ => draw.fraction(),
     });
-    if draw.byte() % 2 == 0 {
+    if draw.byte().is_multiple_of(2) {
         numbers[6] = draw.one_of([0.0, LEAST_ALPHA, LEAST_ALPHA.next_down(), 1e-4, 1.0]);
     }
     numbers
@@ -107,7 +107,8 @@ fn lamps(draw: &mut Draw<'_>, format: Format) -> Result<(), Broken> {
         0 => [(); 3].map(|()| draw.any(format)),
         _ => draw.direction().map(|lane| lane * length),
     };
-    let levels = [(); 3].map(|()| if draw.byte() % 2 == 0 { draw.any(format) } else { draw.logarithmic(1e-3, 1e4) });
+    let levels =
+        [(); 3].map(|()| if draw.byte().is_multiple_of(2) { draw.any(format) } else { draw.logarithmic(1e-3, 1e4) });
     let light = draw.light();
     match format {
         Format::F64 => lamp_of_floats::<f64>(format, &light, direction, levels),

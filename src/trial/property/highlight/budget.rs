@@ -39,16 +39,19 @@ pub const ROUNDING: f64 = 1.0;
 /// What is allowed beside that, in steps, by [`family`] and format: 1.12 times what a search finds, or [`ROUNDING`] where it
 /// finds less, for then the directions beside the given ones explain it all (`tests/highlight_budget.rs`).
 pub const STEPS: [[f64; 7]; 6] = [
-    [22.0, 12.0, 1.0, 3.6, 1.0, 3.5, 1.0],
-    [25.0, 16.0, 1.3, 7.5, 1.0, 3.4, 1.0],
-    [36.0, 14.0, 2.2, 8.1, 1.0, 6.1, 1.0],
-    [29.0, 17.0, 2.2, 9.1, 1.0, 4.5, 1.0],
-    [1.0, 12.0, 1.9, 78.0, 1.0, 1.0, 1.0],
-    [1.0, 1.9, 1.0, 69.0, 1.0, 1.0, 1.0],
+    [22.0, 13.0, 1.0, 4.6, 1.0, 4.2, 1.0],
+    [30.0, 18.0, 1.3, 7.5, 1.0, 4.4, 1.0],
+    [37.0, 17.0, 2.2, 9.3, 1.0, 6.3, 1.3],
+    [30.0, 17.0, 2.2, 12.0, 1.0, 6.7, 2.7],
+    [1.0, 15.0, 2.0, 84.0, 1.0, 1.0, 1.0],
+    [1.0, 5.1, 1.0, 72.0, 1.0, 1.0, 1.0],
 ];
 
-/// What the cone's root lacks: a share of the brightest that a normal shows between the same viewer and light.
+/// What the cone's root lacks: a share of the value, or of the brightest that a normal shows between the same viewer and light.
 pub const ROOT: f64 = 1e-8;
+
+/// How far the sum of viewer and light is above the surface at least, where the oracle can tell what a cone shows.
+const LEAST_HALF: f64 = 1e-6;
 
 /// A pixel as it was rounded, and the method that lights it.
 #[derive(Clone, Copy, Debug)]
@@ -81,7 +84,8 @@ impl Lit {
     }
 
     /// Whether the formula says anything: not where the viewer, within four times the [`reach`], is not above the surface or is
-    /// opposite to the light, nor where all of a disc's rim is as near to the mirror ray.
+    /// opposite to the light, nor where all of a disc's rim is as near to the mirror ray, nor of a cone whose half vector is about in
+    /// the surface.
     ///
     /// The viewer is 2^-14 above it at least, since below that every highlight is zero.
     pub fn is_defined(&self) -> bool {
@@ -89,8 +93,10 @@ impl Lit {
         let Pixel { n, v, l } = self.pixel.unit();
         let above = cosine(n, v) > (4.0 * reach).max(1.0 / 16384.0 + reach);
         let apart = PI - oracle::angle_between(v, l) > 2.0 * reach;
+        // The oracle's own cubic has no digits left beyond.
+        let half_above = cosine(n, [0, 1, 2].map(|i| l[i] + v[i])) > LEAST_HALF;
         let one_rim = PI - oracle::angle_between(mirrored(n, v), l) > reach;
-        above && apart && one_rim
+        above && apart && one_rim && (family(self.method) < 4 || half_above)
     }
 
     /// What the error may be made of.
@@ -105,7 +111,7 @@ impl Lit {
         let change = beside.into_iter().chain(moved).fold(as_given, f64::max);
         // Where a rim is crossed and the viewer is near the surface, both count.
         let change = change * (1.0 + 2.0 * reach / cosine(pixel.n, pixel.v));
-        let root = if family(*method) >= 4 { ROOT * self.brightest(&pixel) } else { 0.0 };
+        let root = if family(*method) >= 4 { ROOT * self.brightest(&pixel).max(truth) } else { 0.0 };
         Allowance { change, unit: (truth + change).max(FRAC_1_PI), root: root + self.beyond(&pixel) }
     }
 

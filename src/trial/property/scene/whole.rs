@@ -40,8 +40,8 @@ struct Whole {
 /// Reads a scene and says what it breaks.
 pub(super) fn hold(draw: &mut Draw<'_>, format: Format) -> Result<(), Broken> {
     // The default method half of the time.
-    let method = if draw.byte() % 2 == 0 { Shading::ConeGgx } else { draw.one_of(Shading::ALL) };
-    let colours = [(); 2].map(|()| [(); 3].map(|()| if draw.byte() % 4 == 0 { 0.0 } else { draw.fraction() }));
+    let method = if draw.byte().is_multiple_of(2) { Shading::ConeGgx } else { draw.one_of(Shading::ALL) };
+    let colours = [(); 2].map(|()| [(); 3].map(|()| if draw.byte().is_multiple_of(4) { 0.0 } else { draw.fraction() }));
     let alpha = pixel::alpha(draw);
     let light = draw.light();
     let Pixel { n, v, l } = pixel::pixel(draw, &light, alpha);
@@ -53,7 +53,8 @@ pub(super) fn hold(draw: &mut Draw<'_>, format: Format) -> Result<(), Broken> {
     };
     let lamps = [first, lamp(), lamp()];
     // Any bits in place of directions, one time of eight.
-    let pixel = if draw.byte() % 8 == 0 { [(); 2].map(|()| [(); 3].map(|()| draw.any(format))) } else { [n, v] };
+    let pixel =
+        if draw.byte().is_multiple_of(8) { [(); 2].map(|()| [(); 3].map(|()| draw.any(format))) } else { [n, v] };
     format.visit(Whole { format, method, colours, alpha, lamps, pixel })
 }
 
