@@ -249,7 +249,7 @@ fn prints_what_the_root_lacks() {
     let effort = Effort { random: 100_000, climbs: 40, climb: 1000 };
     let start = ROOTS_WORST.get(3..).unwrap_or_default().to_vec();
     for method in [Shading::ConeGgx, Shading::Shifted] {
-        let mut peaks = search(Format::F64, method, 1, effort, &[start.clone()], |judged| judged.root);
+        let mut peaks = search(Format::F64, method, 1, effort, std::slice::from_ref(&start), |judged| judged.root);
         peaks.sort_by(|a, b| b.judged.root.total_cmp(&a.judged.root));
         let worst = &peaks[0];
         let hex: String = worst.bytes.iter().map(|byte| format!("{byte:02x}")).collect();
