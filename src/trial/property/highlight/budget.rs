@@ -2,7 +2,7 @@
 //!
 //! A method's answer is its formula's exact value at directions and lengths that lie at most [`reach`] beside the given
 //! ones, but for a share of [`STEPS`] steps of the format (of the value, or of white where that is more) and for what
-//! [`root`] says. So nothing is added to what a few steps in the inputs' last places would do: where the formula is steep (at
+//! [`ROOT`] says. So nothing is added to what a few steps in the inputs' last places would do: where the formula is steep (at
 //! the rim of a disc, on a polish, at grazing incidence), the answer is as good as the directions are.
 //!
 //! White, radiance over illuminance of `1/pi`, is what a matt white surface shows that faces the light.
