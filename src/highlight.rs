@@ -51,7 +51,8 @@ use crate::sphere::DistantSphere;
 pub trait Highlight<T: Real>: Copy {
     /// The highlight that a surface of normal `n` sends to `v` of a light whose centre is at `l`, all of unit length.
     ///
-    /// Zero where the surface faces away from the light's centre or from the viewer, and for NaN.
+    /// Zero where the surface faces away from the viewer or from the light's centre ([`PointGgx`] and [`ShiftedConeGgx`]: from
+    /// the direction of the disc that they shade with), and for NaN.
     fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar>;
 }
 

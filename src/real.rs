@@ -140,14 +140,26 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
 pub struct Halfway<S> {
     /// `(v.h)^2`, which is `|l + v|^2 / 4`.
     pub v_dot_h_square: S,
-    /// `(1 - (n.h)^2) gain^2`, at most [`MOST_TILT`].
+    /// `(1 - (n.h)^2) gain^2`, at most [`WIDE_TILT`], in f16 [`MOST_TILT`].
     pub tilt: S,
     /// The part of that along `l - v`; half of it where `l = v`, when every direction is as good.
     pub in_plane: S,
 }
 
-/// Limit of a tilt: farther out than 173 widths a highlight is below `1e-9` of its peak, and f16 has room for this much.
+/// Limit of a tilt in f16, and in any format whose greatest number is below [`WIDE_TILT`]: farther out than 173 widths.
 pub const MOST_TILT: f64 = 30_000.0;
+
+/// Limit of a tilt in all other formats: more than the narrowest highlight that has a width needs.
+pub const WIDE_TILT: f64 = 1e12;
 
 /// [`MOST_TILT`] in every format.
 pub(crate) const TILT_LIMIT: Constant = Constant::new(MOST_TILT);
+
+/// The greatest tilt that a format has room for.
+#[inline]
+pub(crate) fn most_tilt<S: Scalar>() -> S {
+    const WIDE: Constant = Constant::new(WIDE_TILT);
+    let wide = S::constant(WIDE);
+    // f16 makes it infinite.
+    if wide <= S::MAX { wide } else { S::constant(TILT_LIMIT) }
+}

@@ -3,9 +3,10 @@
 use super::disc::Width;
 use super::microfacet::{FOUR_OVER_PI, smith, upright};
 use super::{Gloss, Highlight, at_most, positive};
-use crate::real::{Halfway, Real, Scalar, TILT_LIMIT};
+use crate::real::{Constant, Halfway, Real, Scalar, TILT_LIMIT, most_tilt};
 use crate::specular::{cap, reflect};
 use crate::sphere::DistantSphere;
+use crate::vec3::zip;
 
 /// The share of the microfacets that mirror the disc to the viewer, exactly, times the rest of the model at the disc's
 /// centre. **The default.**
@@ -25,7 +26,8 @@ use crate::sphere::DistantSphere;
 /// + A_d) / (y + A_d)^2 + m_o (1 + A_o) / (y + A_o)^2)))`,
 ///
 /// which is GGX for `w = 0`, where `y = alpha^2 z^2 + m`. The root is found by three steps that put one pole in place of
-/// the two, which is right to 1e-8 of a pixel up to 75 degrees, and anywhere to 4e-5 of the highlight.
+/// the two, and by eight where the poles are far apart (from about 75 degrees on); what the root lacks is a 100 millionth of the
+/// highlight on random pixels; a search has found pixels up to 6e-7 off the f64 truth (`tests/highlight_budget.rs`).
 ///
 /// For `alpha = 0` the highlight is the sharp, elliptic image of the disc. For `x = 0` it is GGX; for both it is zero.
 /// Where the disc reaches to the viewer's opposite (`l.v <= w - 1`: for a ratio of 0.3 on from 81 degrees of incidence and
@@ -34,7 +36,7 @@ use crate::sphere::DistantSphere;
 /// however far across.
 ///
 /// Root mean square error of a whole pixel's arithmetic, relative, under the Sun (`trial::gloss`, `tests/gloss.rs`): for `alpha =
-/// 0.001` f32 1.1e-5, f16 0.093, I2F14 2.2e-3, I2F30 2.7e-8; for 0.0625 f32 3.4e-7, f16 2.8e-3, I2F14 1.7e-4, I2F30 2.9e-9.
+/// 0.001` f32 1.1e-5, f16 0.093, I2F14 2.2e-3, I2F30 2.7e-8; for 0.0625 f32 3.4e-7, f16 2.8e-3, I2F14 1.7e-4, I2F30 2.8e-9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeGgx<T: Real> {
     width: Width<T::Scalar>,
@@ -44,15 +46,20 @@ pub struct ConeGgx<T: Real> {
 /// between that and the point nearest to the mirror ray, the nearer to it the smaller the roughness is beside the
 /// disc. At the Sun the centre is good enough.
 ///
-/// That direction is a little shorter than 1, and `(v.h)^2 = (1 + m.v) / 2` taken of it loses digits where the viewer is about
-/// opposite: in f16, a degree above the surface, up to a quarter of the peak (`tests/highlight_failures.rs`).
+/// That direction `m` is a little shorter than 1. `(v.h)^2 = (1 + m.v) / 2` is taken as `(|m + v|^2 + 1 - |m|^2) / 4`, the latter
+/// from how far apart the two are that `m` lies between, so that nothing cancels where the viewer is about opposite. Zero where
+/// `n.l + n.v` is not above it, which under almost half the sky is an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShiftedConeGgx<T: Real> {
     cone: ConeGgx<T>,
     sphere: DistantSphere<T>,
     /// `w / (w + alpha^2)` and what it lacks of 1.
     shares: [T::Wide; 2],
+    /// The product of the two shares.
+    spread: T::Scalar,
 }
+
+const QUARTER: Constant = Constant::new(0.25);
 
 /// The share of the microfacets, as far as the disc's centre tells.
 struct Shape<S> {
@@ -79,12 +86,18 @@ struct Cone<S> {
     rest: S,
 }
 
+/// From this quotient of the poles on, which is beyond 75 degrees of incidence, three steps are too few.
+const APART: Constant = Constant::new(16.0);
+
+/// How many more they are there.
+const MORE_STEPS: u32 = 5;
+
 impl<S: Scalar> Cone<S> {
     #[inline]
     fn of(width: &Width<S>, halfway: &Halfway<S>, cosine_square: S) -> Self {
         let Width { alpha, versine, disc, width, .. } = *width;
         let along = S::ONE + S::ONE - versine;
-        // No opening is greater than a tilt may be.
+        // No opening is greater than a tilt may be in f16.
         let limit = S::constant(TILT_LIMIT);
         let least = disc / limit;
         let across = halfway.v_dot_h_square + halfway.v_dot_h_square - versine;
@@ -115,7 +128,10 @@ impl<S: Scalar> Cone<S> {
         let pole = at_most(pole, second);
         // Each step doubles the digits that are right.
         let near = self.step(width, self.one_pole(width, tilt, pole));
-        self.step(width, self.step(width, near))
+        let root = self.step(width, self.step(width, near));
+        // Poles that are far apart, as at grazing incidence, leave the first guess with hardly any.
+        let apart = second > first * S::constant(APART);
+        if apart { (0..MORE_STEPS).fold(root, |root, _| self.step(width, root)) } else { root }
     }
 
     /// A better root from `y`: one pole with the value and the slope that the two have there. It lies between them.
@@ -145,7 +161,7 @@ impl<S: Scalar> Cone<S> {
         let size = S::hypotenuse(if linear < zero { zero - linear } else { linear }, quarter + quarter);
         if linear < zero {
             // Farther out than a tilt may be, where nothing of the highlight is left.
-            at_most((size - linear) / (lead + lead), S::constant(TILT_LIMIT))
+            at_most((size - linear) / (lead + lead), most_tilt())
         } else if size > zero {
             let twice = a * pole;
             (twice + twice) / (size + linear)
@@ -224,7 +240,9 @@ impl<T: Real> ShiftedConeGgx<T> {
         let (disc, rough) = (cone.width.disc, cone.width.alpha_square);
         let sum = disc + rough;
         let near = if sum > T::Scalar::ZERO { disc / sum } else { T::Scalar::ZERO };
-        Self { cone, sphere: *sphere, shares: [T::narrow(near), T::narrow(near - T::Scalar::ONE)] }
+        let far = T::Scalar::ONE - near;
+        let shares = [T::narrow(near), T::narrow(near - T::Scalar::ONE)];
+        Self { cone, sphere: *sphere, shares, spread: near * far }
     }
 }
 
@@ -233,11 +251,15 @@ impl<T: Real> Highlight<T> for ShiftedConeGgx<T> {
     fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar> {
         let cosine = |a, b| T::scalar(T::dot(a, b));
         let [near, less_far] = self.shares;
-        let middle = T::diff(near, cap(l, reflect(n, v), &self.sphere), less_far, l);
+        let nearest = cap(l, reflect(n, v), &self.sphere);
+        let middle = T::diff(near, nearest, less_far, l);
         let [n_dot_m, n_dot_v] = [cosine(n, middle), cosine(n, v)];
         let visibility = smith(n_dot_m, n_dot_v, self.cone.width.alpha);
         // The half vector of the middle: (v.h)^2, and 2 (v.h)^2 / (n.m + n.v), which is (v.h) / (n.h).
-        let v_dot_h_square = (T::Scalar::ONE + cosine(middle, v)) * T::Scalar::constant(super::HALF);
+        // (v.h)^2 = (1 + m.v) / 2, where nothing cancels: the middle is short by what the two that it is between are apart.
+        let (sum, apart) = (zip(middle, v, T::add), zip(nearest, l, T::sub));
+        let square = cosine(sum, sum) + cosine(apart, apart) * self.spread;
+        let v_dot_h_square = square * T::Scalar::constant(QUARTER);
         if !(positive(visibility) && positive(v_dot_h_square)) {
             return Gloss::DARK;
         }

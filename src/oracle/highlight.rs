@@ -4,7 +4,7 @@
 
 use core::f64::consts::PI;
 
-use super::{Vector, angle_between, cross, dot, length, nearest_in_disc, scale};
+use super::{Vector, angle_between, cross, dot, length, nearest_in_disc, scale, turn};
 
 /// A glossy surface under a disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +34,48 @@ impl Pixel {
         let [n, v, l] = [self.n, self.v, self.l].map(|vector| scale(vector, 1.0 / length(vector)));
         Self { n, v, l }
     }
+
+    /// The same with the light or the viewer moved by `distance`: in their plane, out of it and along themselves, to and
+    /// fro; with the normal moved as far towards their half vector, but not beyond it; and with the light moved towards the
+    /// mirror ray, likewise, and away from it; and with the light or the viewer moved so that the half vector comes nearer to the
+    /// normal.
+    pub fn beside(&self, distance: f64) -> [Self; 17] {
+        let &Self { n, v, l } = self;
+        let about = |axis: Vector, toward: Vector| {
+            let [first, second] = frame(axis, toward);
+            let moved = |side: Vector, distance: f64| add(axis, scale(side, distance));
+            [first, second, axis].map(|side| [moved(side, distance), moved(side, -distance)])
+        };
+        let [[a, b], [c, d], [e, f]] = about(l, v).map(|pair| pair.map(|l| Self { n, v, l }));
+        let [[g, h], [i, j], [k, m]] = about(v, l).map(|pair| pair.map(|v| Self { n, v, l }));
+        let toward = Self { n: nearest_in_disc(n, add(l, v), distance), v, l };
+        let near = Self { n, v, l: nearest_in_disc(l, mirror(self), distance) };
+        let away = Self { n, v, l: [0, 1, 2].map(|i| 2.0 * l[i] - turn(l, mirror(self), distance)[i]) };
+        let lean = self.off_the_normal(0.0, distance);
+        let by_light = Self { n, v, l: add(l, lean) };
+        let by_viewer = Self { n, v: add(v, lean), l };
+        [a, b, c, d, e, f, g, h, i, j, k, m, toward, near, away, by_light, by_viewer]
+    }
+
+    /// How far the disc's nearest point lies from the mirror ray, which way, and at most `distance`.
+    pub fn off_the_mirror(&self, ratio: f64, distance: f64) -> Vector {
+        let r = mirror(self);
+        let apart = add(r, scale(nearest_in_disc(self.l, r, super::angular_radius(ratio)), -1.0));
+        at_most(apart, distance)
+    }
+
+    /// How far the sum of the viewer and the disc's nearest point lies from the normal, which way, and at most `distance`.
+    pub fn off_the_normal(&self, ratio: f64, distance: f64) -> Vector {
+        let nearest = nearest_in_disc(self.l, mirror(self), super::angular_radius(ratio));
+        let sum = add(nearest, self.v);
+        at_most(add(scale(self.n, dot(self.n, sum)), scale(sum, -1.0)), distance)
+    }
+}
+
+/// A vector, or its part of a length.
+fn at_most(vector: Vector, most: f64) -> Vector {
+    let size = length(vector);
+    if size > most { scale(vector, most / size) } else { vector }
 }
 
 impl Glossy {
@@ -76,15 +118,15 @@ impl Glossy {
         self.f0 + (1.0 - self.f0) * (rest * rest * rest * rest * rest)
     }
 
-    /// GGX at the disc's point nearest to the mirror ray, with its peak lowered to that of the width `width`.
-    pub fn at_nearest_point(&self, pixel: &Pixel, width: f64) -> f64 {
-        let pixel = pixel.unit();
+    /// GGX at the disc's point nearest to the mirror ray, with its peak lowered to that of the width `width`; the point
+    /// moved by `offset`.
+    pub fn at_nearest_point(&self, pixel: &Pixel, width: f64, offset: Vector) -> f64 {
         let theta = super::angular_radius(self.ratio);
-        let r = mirror(&pixel);
-        let l = nearest_in_disc(pixel.l, r, theta);
+        let r = mirror(pixel);
+        let l = add(scale(nearest_in_disc(pixel.l, r, theta), length(pixel.l)), offset);
         let factor = self.alpha / width;
         if self.alpha > 0.0 {
-            return factor * factor * self.brdf(&Pixel { l, ..pixel });
+            return factor * factor * self.brdf_of_unit(&Pixel { l, ..*pixel });
         }
         // A mirror: the disc or nothing.
         let seen = width > 0.0 && angle_between(pixel.l, r) <= theta && dot(pixel.n, pixel.v) > 0.0;
@@ -102,13 +144,12 @@ impl Glossy {
     /// GGX averaged over the disc as if its image in the half vectors were a circle, or with the disc's width in the
     /// direction of `n` alone.
     pub fn over_circle(&self, pixel: &Pixel, directional: bool) -> f64 {
-        let pixel = pixel.unit();
-        let (lean, smooth) = (Lean::of(&pixel), self.smooth(&pixel));
+        let (lean, smooth) = (Lean::of(pixel), self.smooth(pixel));
         if smooth == 0.0 {
             return 0.0;
         }
         let w = self.versine();
-        let (a, z) = (self.alpha * self.alpha, 1.0 - lean.along - lean.across);
+        let (a, z) = (self.alpha * self.alpha, lean.upright);
         let m = lean.along + lean.across;
         let circle = w / (2.0 * lean.v_dot_h);
         let spread = lean.along + lean.across * lean.v_dot_h * lean.v_dot_h + a * z * lean.v_dot_h;
@@ -122,32 +163,35 @@ impl Glossy {
     /// The exact share of the microfacets that mirror the disc, times the rest of the model at the disc's centre.
     pub fn over_cone(&self, pixel: &Pixel) -> f64 {
         if self.ratio == 0.0 {
-            return if self.alpha > 0.0 { self.brdf(pixel) } else { 0.0 };
+            return if self.alpha > 0.0 { self.brdf_of_unit(pixel) } else { 0.0 };
         }
-        let pixel = pixel.unit();
-        let lean = Lean::of(&pixel);
-        let factor = 4.0 * lean.v_dot_h / libm::sqrt(1.0 - lean.along - lean.across);
-        self.share(&lean) * factor * self.smooth(&pixel) / (PI * self.ratio * self.ratio)
+        let (lean, smooth) = (Lean::of(pixel), self.smooth(pixel));
+        if smooth == 0.0 {
+            return 0.0;
+        }
+        let factor = 4.0 * lean.v_dot_h / libm::sqrt(lean.upright);
+        self.share(&lean) * factor * smooth / (PI * self.ratio * self.ratio)
     }
 
-    /// The same with the rest of the model taken between the centre and the point nearest to the mirror ray.
-    pub fn over_cone_shifted(&self, pixel: &Pixel) -> f64 {
+    /// The same with the rest of the model taken between the centre and the point nearest to the mirror ray, and that
+    /// moved by `offset`.
+    pub fn over_cone_shifted(&self, pixel: &Pixel, offset: Vector) -> f64 {
         if self.ratio == 0.0 {
             return self.over_cone(pixel);
         }
-        let pixel = pixel.unit();
         let (w, a) = (self.versine(), self.alpha * self.alpha);
-        let nearest = nearest_in_disc(pixel.l, mirror(&pixel), super::angular_radius(self.ratio));
+        let nearest = nearest_in_disc(pixel.l, mirror(pixel), super::angular_radius(self.ratio));
         let part = w / (w + a);
-        let middle = add(scale(nearest, part), scale(pixel.l, a / (w + a)));
+        let middle = add(add(scale(nearest, part), scale(pixel.l, a / (w + a))), offset);
         let [n_dot_m, n_dot_v] = [dot(pixel.n, middle), dot(pixel.n, pixel.v)];
         let half_square = (1.0 + dot(middle, pixel.v)) / 2.0;
         let slant = 2.0 * half_square / (n_dot_m + n_dot_v);
         let smooth = self.visibility(n_dot_m, n_dot_v) * self.fresnel(libm::sqrt(half_square));
-        if smooth == 0.0 {
+        // Microfacets below the surface mirror nothing.
+        if smooth == 0.0 || n_dot_v + dot(pixel.n, pixel.l) <= 0.0 {
             0.0
         } else {
-            self.share(&Lean::of(&pixel)) * 4.0 * slant * smooth / (PI * self.ratio * self.ratio)
+            self.share(&Lean::of(pixel)) * 4.0 * slant * smooth / (PI * self.ratio * self.ratio)
         }
     }
 
@@ -169,13 +213,13 @@ impl Glossy {
         let g = (2.0 * lean.v_dot_h * lean.v_dot_h - w).max(w / (a + w / 2.0) / 30_000.0);
         let (along, across) = (lean.along, lean.across);
         let m = along + across;
-        let at_normal = w * (1.0 - m) - c * along - g * across;
+        let at_normal = w * lean.upright - c * along - g * across;
         if a == 0.0 {
             return if at_normal >= 0.0 { 1.0 } else { 0.0 };
         }
         // Coefficients of the characteristic polynomial: sums of principal minors.
         let trace_beside = w - c - g - at_normal;
-        let minor_beside = c * g * (1.0 - m) - w * (g * along + c * across);
+        let minor_beside = c * g * lean.upright - w * (g * along + c * across);
         let minors_at = c * g * m - w * (c * (1.0 - across) + g * (1.0 - along));
         let square = at_normal + a * trace_beside;
         let linear = a * minors_at + a * a * minor_beside;
@@ -196,7 +240,7 @@ impl Glossy {
         let mu = (low + high) / 2.0;
         let slope = mu * (2.0 * mu - square) + constant / mu;
         let beside = mu * mu - a * trace_beside * mu + a * a * minor_beside;
-        mu * libm::sqrt(beside) / slope
+        mu * libm::sqrt(beside.max(0.0)) / slope
     }
 
     fn versine(&self) -> f64 {
@@ -207,6 +251,8 @@ impl Glossy {
 /// How the normal leans from the half vector of the centre.
 struct Lean {
     v_dot_h: f64,
+    /// `(n.h)^2`.
+    upright: f64,
     /// Squares of the normal's parts along `l - v` and along `l x v`.
     along: f64,
     across: f64,
@@ -216,13 +262,16 @@ impl Lean {
     fn of(pixel: &Pixel) -> Self {
         let &Pixel { n, v, l } = pixel;
         let h = add(l, v);
-        let sine = libm::sin(angle_between(n, h));
+        let lean = angle_between(n, h);
+        let (sine, cosine) = (libm::sin(lean), libm::cos(lean));
         let beside = add(l, scale(v, -1.0));
         let size = length(beside);
         let tilt = sine * sine;
-        let part = dot(n, beside) / size;
+        // Of what of the normal is across the half vector, which for vectors that are not quite of one length is not at a
+        // right angle to their difference.
+        let part = (dot(n, beside) - dot(n, h) / dot(h, h) * dot(h, beside)) / size;
         let along = if size > 0.0 { (part * part).min(tilt) } else { tilt / 2.0 };
-        Self { v_dot_h: length(h) / 2.0, along, across: tilt - along }
+        Self { v_dot_h: length(h) / 2.0, upright: cosine * cosine, along, across: tilt - along }
     }
 }
 

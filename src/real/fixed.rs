@@ -6,7 +6,7 @@
 
 use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 
-use super::{Halfway, Real, STEEP_COSINE, Scalar, Scaled, TILT_LIMIT, at_most, positive};
+use super::{Halfway, Real, STEEP_COSINE, Scalar, Scaled, at_most, most_tilt, positive};
 use crate::constant;
 use crate::root::reciprocal_root;
 use crate::vec3::{each, zip};
@@ -104,7 +104,7 @@ fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled) -> Halfway<
     }
     let gain_square = gain * gain;
     let scaled = |bits| Scaled::from_bits(bits, 2 * exponent);
-    let limit = Scaled::constant(TILT_LIMIT);
+    let limit = most_tilt();
     let tilt = at_most(sum_of_squares(each(cross(n, sum), scaled)) / square * gain_square, limit);
     let across = sum_of_squares(each(lacking, |lane| Scaled::from_bits(lane, exponent)));
     let in_plane = if across > Scaled::ZERO {

@@ -1,6 +1,6 @@
 //! Float formats: one implementation of the seam for all of them.
 
-use super::{Constant, HALF, Halfway, Real, STEEP_COSINE, Scalar, TILT_LIMIT, at_most};
+use super::{Constant, HALF, Halfway, Real, STEEP_COSINE, Scalar, at_most, most_tilt};
 use crate::vec3::{each, zip};
 
 /// A floating-point format: ordinary arithmetic, rounded at every step, and a reciprocal root.
@@ -341,7 +341,7 @@ impl<T: Float> Real for T {
         let apart = zip(n, h, Self::sub);
         let radial = Self::dot(apart, h);
         let lean = each(zip(apart, h, |apart, h| apart - radial * h), |lane| lane * gain);
-        let tilt = at_most(Self::dot(lean, lean), T::constant(TILT_LIMIT));
+        let tilt = at_most(Self::dot(lean, lean), most_tilt());
         let across = Self::normalize(zip(l, v, Self::sub));
         let along = Self::dot(lean, across);
         let in_plane = if Self::dot(across, across) > zero { at_most(along * along, tilt) } else { tilt * half };

@@ -80,19 +80,25 @@ impl Shading {
 
     /// The exact value of the method's own formula: radiance over illuminance.
     pub fn truth(self, glossy: &Glossy, pixel: &Pixel) -> f64 {
+        self.truth_beside(glossy, &pixel.unit(), [0.0; 3])
+    }
+
+    /// The same for vectors that are of length 1 or nearly so, whatever that makes of the formula, and with the point of
+    /// the disc that the method finds, if it does, moved by `offset`.
+    pub fn truth_beside(self, glossy: &Glossy, pixel: &Pixel, offset: [f64; 3]) -> f64 {
         let Glossy { alpha, ratio, .. } = *glossy;
         match self {
-            Self::None => glossy.at_nearest_point(pixel, alpha),
-            Self::Karis => glossy.at_nearest_point(pixel, (alpha + ratio / 2.0).min(1.0)),
-            Self::KarisThird => glossy.at_nearest_point(pixel, (alpha + ratio / 3.0).min(1.0)),
+            Self::None => glossy.at_nearest_point(pixel, alpha, offset),
+            Self::Karis => glossy.at_nearest_point(pixel, (alpha + ratio / 2.0).min(1.0), offset),
+            Self::KarisThird => glossy.at_nearest_point(pixel, (alpha + ratio / 3.0).min(1.0), offset),
             Self::ExactRp => {
                 let square = alpha * alpha + core::f64::consts::FRAC_PI_4 * alpha * ratio + ratio * ratio / 4.0;
-                glossy.at_nearest_point(pixel, libm::sqrt(square))
+                glossy.at_nearest_point(pixel, libm::sqrt(square), offset)
             }
             Self::DiscGgx => glossy.over_circle(pixel, false),
             Self::Directional => glossy.over_circle(pixel, true),
             Self::ConeGgx => glossy.over_cone(pixel),
-            Self::Shifted => glossy.over_cone_shifted(pixel),
+            Self::Shifted => glossy.over_cone_shifted(pixel, offset),
         }
     }
 
