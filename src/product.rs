@@ -95,3 +95,17 @@ pub(crate) fn saturated<S: Scalar>(value: S) -> S {
         S::ZERO
     }
 }
+
+#[cfg(all(test, feature = "half"))]
+mod tests {
+    use half::f16;
+
+    use super::quotient;
+
+    /// 1.5 / 60 000 would be subnormal, though the answer is 1.
+    #[test]
+    fn a_great_divisor_between_factors_costs_no_digits() {
+        let number = f16::from_f32;
+        assert_eq!(quotient([1.5, 40_000.0].map(number), [number(60_000.0)]), f16::ONE);
+    }
+}
