@@ -108,4 +108,12 @@ mod tests {
         let number = f16::from_f32;
         assert_eq!(quotient([1.5, 40_000.0].map(number), [number(60_000.0)]), f16::ONE);
     }
+
+    /// Neither a great factor alone nor a small one, which have no counterpart to give their power of two to.
+    #[test]
+    fn powers_that_are_given_up_come_back() {
+        let number = f16::from_f32;
+        assert_eq!(quotient([16_384.0, 0.5].map(number), [f16::ONE]), number(8192.0));
+        assert_eq!(quotient([0.5_f32.powi(13), 4096.0].map(number), [f16::ONE]), number(0.5));
+    }
 }
