@@ -115,3 +115,38 @@ fn fall<S: Scalar>(r: S) -> S {
     let two = S::ONE + S::ONE;
     S::ZERO - (r + r) / ((two + sum) + r)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{complement, shrunk};
+
+    /// `2^1000`, so that the answers for all exponents up to 1024 are normal numbers.
+    const GREAT: f64 = 1.071_508_607_186_267_3e301;
+
+    /// From 0 to the last, and ever smaller ones.
+    fn exponents() -> impl Iterator<Item = f64> {
+        (0..200_000).map(|i| f64::from(i) * 0.005_119).chain((1..600).map(|i| 0.935_f64.powi(i)))
+    }
+
+    /// Relative, in units of `2^-52`.
+    fn error(computed: f64, truth: f64) -> f64 {
+        (computed / truth - 1.0).abs() / f64::EPSILON
+    }
+
+    #[test]
+    fn every_step_and_every_term_is_right_to_the_last_places() {
+        // The truth is a square, hence up to 1.6 units off itself.
+        let half = |x: f64| (-x / 2.0).exp() * GREAT.sqrt();
+        let shrunk = exponents().map(|x| error(shrunk(GREAT, x), half(x) * half(x))).fold(0.0, f64::max);
+        let complement = exponents().map(|x| error(complement(x), -(-x).exp_m1())).fold(0.0, f64::max);
+        assert!(shrunk < 3.4 && complement < 2.3, "{shrunk} {complement}");
+        assert!(shrunk > 3.4 / 4.0 && complement > 2.3 / 4.0, "{shrunk} {complement}");
+    }
+
+    #[test]
+    fn nothing_is_left_from_1024_on() {
+        let last = 1024.0_f64.next_down();
+        assert!(shrunk(GREAT, last) > 0.0 && complement(last) == 1.0);
+        assert_eq!([1024.0, f64::INFINITY, f64::NAN].map(|x| [shrunk(GREAT, x), complement(x)]), [[0.0, 1.0]; 3]);
+    }
+}

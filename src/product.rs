@@ -71,3 +71,25 @@ pub(crate) fn saturated<S: Scalar>(value: S) -> S {
         S::ZERO
     }
 }
+
+#[cfg(all(test, feature = "half"))]
+mod tests {
+    use half::f16;
+
+    use super::quotient;
+
+    /// 1.5 / 60 000 would be subnormal, though the answer is 1.
+    #[test]
+    fn a_great_divisor_between_factors_costs_no_digits() {
+        let number = f16::from_f32;
+        assert_eq!(quotient([1.5, 40_000.0].map(number), [number(60_000.0)]), f16::ONE);
+    }
+
+    /// Neither a great factor alone nor a small one, which have no counterpart to give their power of two to.
+    #[test]
+    fn powers_that_are_given_up_come_back() {
+        let number = f16::from_f32;
+        assert_eq!(quotient([16_384.0, 0.5].map(number), [f16::ONE]), number(8192.0));
+        assert_eq!(quotient([0.5_f32.powi(13), 4096.0].map(number), [f16::ONE]), number(0.5));
+    }
+}

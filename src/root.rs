@@ -66,9 +66,8 @@ const fn line(from: f64, to: f64) -> (u16, u16) {
     let root = cube_root(1.0 / (2.0 * slope));
     let gap = start - slope * (root * root - from) - 1.0 / root;
     const Q15: f64 = 32768.0;
-    let start = (start - gap / 2.0) * Q15 + 0.5;
-    let start = if start > 65535.0 { 65535.0 } else { start };
-    (start as u16, (fall * Q15 + 0.5) as u16)
+    // The greatest start, of 1/4, is 65 525.
+    (((start - gap / 2.0) * Q15 + 0.5) as u16, (fall * Q15 + 0.5) as u16)
 }
 
 /// Newton's cube root, for arguments around 1.

@@ -75,9 +75,13 @@ fn check<T: Float>(ratios: impl Iterator<Item = T> + Clone, bound: f64) -> [f64;
 
 /// Holds radiance to its bound for intensities of 0.001 to 60 000.
 fn check_radiance<T: Float>(ratios: impl Iterator<Item = T>, bound: f64) {
+    check_radiance_of([0.001, 60_000.0], ratios, bound);
+}
+
+fn check_radiance_of<T: Float>([least, most]: [f64; 2], ratios: impl Iterator<Item = T>, bound: f64) {
     let mut source = Rand64::new(5);
     let errors = ratios.map(|ratio| {
-        let intensity = T::nearest(0.001 * 6e7_f64.powf(source.rand_float()));
+        let intensity = T::nearest(least * (most / least).powf(source.rand_float()));
         let truth = big(intensity.exact()) / projected(&big(ratio.exact()));
         match radiance(intensity, ratio) {
             Ok(computed) => ulps(computed, &truth),
@@ -123,6 +127,15 @@ fn quantities_in_f16() {
     check_radiance(ratios.into_iter().filter(|ratio| ratio.to_f64() >= 1.0 / 2048.0), 0.8);
 }
 
+/// Intensities and ratios of which the quotient is out of the range in which it keeps its digits, though the answer is not.
+#[test]
+fn radiance_of_the_faintest_and_the_farthest() {
+    let far = || spread(COUNT, 1e-27, 1e-9);
+    check_radiance_of([1e-38, 1e-20], far().map(f32::nearest), 0.51);
+    check_radiance_of([1e-38, 1e-20], far().map(F32::nearest), 0.51);
+    check_radiance_of([1e-307, 1e-200], spread(COUNT, 1e-150, 1e-30), 0.51);
+}
+
 /// Zero, and what is refused.
 fn check_ends<T: Float + PartialEq>() {
     let [zero, one, infinity] = [0.0, 1.0, f64::INFINITY].map(T::nearest);
@@ -139,6 +152,7 @@ fn check_ends<T: Float + PartialEq>() {
     for intensity in [-1.0, f64::INFINITY, f64::NAN].map(T::nearest) {
         assert!(matches!(radiance(intensity, one), Err(LightError::Intensity(_))));
     }
+    assert!(radiance(T::MAX, one).is_ok_and(|radiance| radiance.exact() > T::MAX.exact() / 3.2));
     for distance in [-1.0, 0.0, f64::NAN].map(T::nearest).into_iter().chain([infinity]) {
         assert!(matches!(sun_radius_at(distance), Err(LightError::Distance(_))));
     }
@@ -282,6 +296,10 @@ fn light_in_f64_and_64_bits() {
     assert_tight("size_factor_q48, LSB", errors[2], 1.0);
     assert_tight("solid_angle_q48, LSB", errors[3], 1.0);
     assert_tight("inverse_size_factor_q12, LSB", errors[4], 2.0);
+    // On either side of 2^51.
+    let inverse = |ratio: f64| DistantLight::from_ratio(ratio).unwrap().inverse_size_factor_q12();
+    assert!(inverse(1.2e-8).is_ok());
+    assert_eq!(inverse(1.18e-8), Err(LightError::Overflow("U52F12")));
 }
 
 #[test]
@@ -303,6 +321,9 @@ fn radiance_of_a_light_refuses_what_is_no_intensity() {
         assert_eq!(error.to_string(), format!("intensity is {intensity}, allowed is any finite number from 0"));
     }
     assert_eq!(SUN.radiance(f64::MAX), Err(LightError::Overflow("f64")));
+    // The greatest of a point, and nothing of any: also where sizeFactor has underflowed.
+    assert_eq!(DistantLight::from_ratio(0.0).unwrap().radiance(f64::MAX), Ok(f64::MAX));
+    assert_eq!([0.0, 1e-170, 1.0].map(|ratio| DistantLight::from_ratio(ratio).unwrap().radiance(0.0)), [Ok(0.0); 3]);
     assert_eq!(DistantLight::from_ratio(0.0).unwrap().white_radiance(), Err(LightError::Overflow("f64")));
     let white = SUN.white_radiance().unwrap();
     assert!(ulps(white, &reciprocal(square(&sun_ratio()))) <= 3.0, "{white}");

@@ -45,3 +45,13 @@ fn points_are_the_published_sequence() {
         }
     }
 }
+
+/// So that pixels which begin at multiples of the count share out one sequence.
+#[test]
+fn a_run_goes_on_where_the_last_one_ended() {
+    for first in [0, 12_345, u32::MAX - 10] {
+        let whole: Vec<_> = points::<f64>(first, 64).collect();
+        let rest: Vec<_> = points::<f64>(first.wrapping_add(32), 32).collect();
+        assert_eq!(whole[32..], rest);
+    }
+}

@@ -174,6 +174,8 @@ fn integers_are_the_nearest_and_saturate() {
         assert_eq!([value.to_bits(0), value.to_bits(60)], [signed; 2]);
         assert_eq!([value.to_unsigned(0), value.to_unsigned(60)], [unsigned; 2]);
     }
+    // Zero has an exponent too, and saturates nowhere.
+    assert_eq!((Scaled::ZERO.to_bits(1 << 25), Scaled::ZERO.to_unsigned(1 << 25)), (0, 0));
 }
 
 /// Worst distance from integers of every length, in last places.

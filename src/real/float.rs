@@ -357,9 +357,8 @@ fn rescale<T: Float>(v: [T; 3]) -> ([T; 3], T) {
         let size = if lane < zero { zero - lane } else { lane };
         if size > most { size } else { most }
     });
-    let usable = largest > zero && largest <= T::MAX;
-    let v = if usable { each(v, |lane| lane / largest) } else { [zero; 3] };
+    let v = each(v, |lane| lane / largest);
     let square = T::dot(v, v);
-    // Another lane may be NaN.
+    // NaN where the largest is zero or infinite, and where another lane is NaN.
     if square >= zero { (v, square) } else { ([zero; 3], zero) }
 }
