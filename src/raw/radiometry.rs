@@ -10,7 +10,7 @@ pub fn irradiance_q16(intensity: u32, cos: i16, distance: u32) -> u32 {
 }
 
 /// [`diffuse_radiance`](radiometry::diffuse_radiance) of a matt surface, `rho E / pi`: albedo in Q14, irradiance and answer
-/// in Q16; zero for a negative albedo. Within half an LSB and 1.0e-9 of the answer.
+/// in Q16; zero for a negative albedo. Within half an LSB and 1.3e-9 of the answer.
 pub fn diffuse_radiance_q16(albedo: i16, irradiance: u32) -> u32 {
     bits(radiometry::diffuse_radiance(Scaled::from_bits(albedo.into(), -14), q16(irradiance)))
 }
