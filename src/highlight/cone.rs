@@ -89,8 +89,8 @@ struct Cone<S> {
 /// From this quotient of the poles on, which is beyond 75 degrees of incidence, three steps are too few.
 const APART: Constant = Constant::new(16.0);
 
-/// How many more they are there.
-const MORE_STEPS: u32 = 5;
+/// How many more they are there at most; mostly five.
+const MORE_STEPS: u32 = 24;
 
 impl<S: Scalar> Cone<S> {
     #[inline]
@@ -130,8 +130,20 @@ impl<S: Scalar> Cone<S> {
         let near = self.step(width, self.one_pole(width, tilt, pole));
         let root = self.step(width, self.step(width, near));
         // Poles that are far apart, as at grazing incidence, leave the first guess with hardly any.
-        let apart = second > first * S::constant(APART);
-        if apart { (0..MORE_STEPS).fold(root, |root, _| self.step(width, root)) } else { root }
+        if second > first * S::constant(APART) { self.until_it_stays(width, root) } else { root }
+    }
+
+    /// Steps until one changes nothing, or there have been [`MORE_STEPS`].
+    #[inline]
+    fn until_it_stays(&self, width: &Width<S>, mut root: S) -> S {
+        for _ in 0..MORE_STEPS {
+            let next = self.step(width, root);
+            if next == root {
+                break;
+            }
+            root = next;
+        }
+        root
     }
 
     /// A better root from `y`: one pole with the value and the slope that the two have there. It lies between them.
