@@ -60,7 +60,8 @@ impl<T: Real> DistantSphere<T> {
 
 impl<T: Float> DistantSphere<T> {
     /// The constants of a sphere whose radius over distance is `ratio`, computed in the format itself, for a light that
-    /// moves on a chip without f64. Within 0.51 units in the last place (f16: 0.8).
+    /// moves on a chip without f64. Within 0.51 units in the last place, 0.76 where the
+    /// versine is subnormal (f16: 0.8).
     ///
     /// # Errors
     /// [`LightError::Ratio`] for NaN, negative values and values above 1.
@@ -153,7 +154,8 @@ mod fixed_point {
         ($format:ty, $wide:ty, $fraction:literal) => {
             impl DistantSphere<$format> {
                 /// The constants of a sphere whose radius over distance is `ratio`, in integers to the end, for a light
-                /// that moves on a chip without an FPU. Within 0.51 units of the wide format's last place.
+                /// that moves on a chip without an FPU. Within 0.51 units of the wide format's last place (I2F30:
+                /// 0.75 asserted, 0.5 found over all ratios).
                 ///
                 /// # Errors
                 /// [`LightError::RatioQ30`] for negative values and values above 1.

@@ -59,10 +59,10 @@ fn the_cones_root_is_right_where_its_poles_are_far_apart() {
     let l = [-0.7285488701240332, 0.6849938275927225, 9.306227881403438e-7];
     let light = DistantLight::from_ratio(1.5933631276020287e-2).unwrap();
     for (method, format, budget) in [
-        (Shading::ConeGgx, Format::F64, 4.1e-7),
-        (Shading::Shifted, Format::F64, 4.1e-7),
+        (Shading::ConeGgx, Format::F64, 3.3e-12),
+        (Shading::Shifted, Format::F64, 4.9e-12),
         (Shading::ConeGgx, Format::F32, 2.1e-4),
-        (Shading::ConeGgx, Format::I2F30, 4.1e-7),
+        (Shading::ConeGgx, Format::I2F30, 3.6e-8),
     ] {
         let at = At { method, light, alpha: 6.637046399001643e-4, pixel: Pixel { n, v, l } };
         assert_off_by(&format!("24 for 8.0, {} in {}", method.name(), format.name()), format, at, budget);

@@ -52,7 +52,7 @@ pub fn relative_to_peak<S: Scalar>(ratio: S) -> S {
 /// | | f64 | f32 | micromath | f16 | fixed point |
 /// |---|---|---|---|---|---|
 /// | relative | 1.6e-15 | 7.4e-7 | 7.4e-7 | 4.7e-3 | 4.2e-9 |
-/// | absolute | 7.5e-16 | 3.3e-7 | 3.3e-7 | 2.1e-3 | 2.5e-9 |
+/// | absolute | 8.8e-16 | 3.3e-7 | 3.3e-7 | 2.1e-3 | 2.5e-9 |
 ///
 /// In f16 answers below 6.1e-5, which are those for ratios below 3.3e-3 and above 6.4, are subnormal or zero.
 #[inline]

@@ -9,6 +9,7 @@ use sunglint::normalization::{
 use sunglint::oracle::planck::Law;
 use sunglint::raw::{normalize_q14, relative_to_peak_frequency_q16, relative_to_peak_q16};
 use sunglint::real::Scaled;
+use sunglint::trial::found::worse;
 use sunglint::trial::quantity::Quantity;
 use sunglint::trial::{Format, mantissa};
 use sunglint::{DistantSphere, LightError, Scalar};
@@ -167,7 +168,7 @@ fn sphere_error(bits: u64, fraction: u32, sphere: Result<[i64; 4], LightError>) 
                 integers::cos(bits, cos, fraction),
                 integers::versine(bits, versine, fraction),
             ];
-            errors.into_iter().map(f64::abs).fold(0.0, f64::max)
+            errors.into_iter().map(f64::abs).fold(0.0, worse)
         }
         Err(LightError::RatioQ30(held)) if bits > 1 << 30 && held == bits as i32 => 0.0,
         _ => f64::NAN,

@@ -6,6 +6,7 @@ use crate::oracle::planck::Law;
 use crate::real::{Real, Scalar};
 use crate::trial::blackbody::{SPAN, error_at};
 use crate::trial::format::{Format, Visitor};
+use crate::trial::found::worse;
 use crate::trial::property::figures::{Figures, NONE, Row};
 
 const ABSOLUTE: usize = 2;
@@ -89,5 +90,5 @@ fn tint_error<S: Scalar>(body: &Body) -> f64 {
     let truth = wavelengths.map(|wavelength| Law::Wavelength.radiance(1e-6 * wavelength.exact(), kelvins));
     let greatest = truth.into_iter().fold(0.0, f64::max);
     let levels = tint(temperature, wavelengths).map(Scalar::exact);
-    levels.iter().zip(truth).map(|(level, truth)| (level - truth / greatest).abs()).fold(0.0, f64::max)
+    levels.iter().zip(truth).map(|(level, truth)| (level - truth / greatest).abs()).fold(0.0, worse)
 }

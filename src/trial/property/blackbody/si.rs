@@ -9,6 +9,7 @@ use crate::oracle::planck::Law;
 use crate::real::Scaled;
 use crate::trial::blackbody::spectral;
 use crate::trial::format::Format;
+use crate::trial::found::worse;
 use crate::trial::property::{Broken, Case};
 
 /// What is to be done in a number of wide range.
@@ -104,7 +105,7 @@ impl Wide for Totals<'_> {
         let fourth = STEFAN_BOLTZMANN * kelvins * kelvins * kelvins * kelvins;
         let truths = [fourth, fourth / core::f64::consts::PI, WIEN_WAVELENGTH / kelvins, WIEN_FREQUENCY * kelvins];
         let found = totals(temperature).into_iter().zip(truths).map(|(found, truth)| (found / truth - 1.0).abs());
-        truths.into_iter().all(|truth| normal(self.0.format, truth)).then(|| found.fold(0.0, f64::max))
+        truths.into_iter().all(|truth| normal(self.0.format, truth)).then(|| found.fold(0.0, worse))
     }
 }
 

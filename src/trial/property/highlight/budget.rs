@@ -43,12 +43,13 @@ pub const STEPS: [[f64; 7]; 6] = [
     [30.0, 18.0, 1.3, 7.5, 1.0, 4.4, 1.0],
     [37.0, 17.0, 2.2, 9.3, 1.0, 6.3, 1.3],
     [30.0, 17.0, 2.2, 12.0, 1.0, 6.7, 2.7],
-    [1.0, 15.0, 2.0, 84.0, 1.0, 1.0, 1.0],
-    [1.0, 5.1, 1.0, 72.0, 1.0, 1.0, 1.0],
+    [1.0, 14.0, 2.0, 84.0, 1.0, 1.0, 1.0],
+    [1.0, 3.8, 1.0, 72.0, 1.0, 1.0, 1.0],
 ];
 
-/// What the cone's root lacks: a share of the value, or of the brightest that a normal shows between the same viewer and light.
-pub const ROOT: f64 = 1e-8;
+/// What the cone's root lacks, or the oracle's, which is of a cubic whose coefficients cancel: a share of the value, or of the
+/// brightest that a normal shows between the same viewer and light. Steps without end find no other.
+pub const ROOT: f64 = 7.8e-8;
 
 /// How far the sum of viewer and light is above the surface at least, where the oracle can tell what a cone shows.
 const LEAST_HALF: f64 = 1e-6;

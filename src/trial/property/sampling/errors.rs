@@ -8,6 +8,7 @@ use crate::oracle;
 use crate::real::{Real, Scalar};
 use crate::sampling::{basis, sin_cos};
 use crate::trial::format::{Format, Visitor};
+use crate::trial::found::{worse, worst};
 use crate::trial::property::figures::{Figures, NONE, Row};
 
 /// Angular radii up to which a bin of discs goes; the last is the full sphere.
@@ -115,16 +116,14 @@ fn basis_error<T: Real>(l: [T; 3]) -> f64 {
     let [t, b] = basis(l).map(|v| v.map(T::to_f64));
     let l = l.map(T::to_f64);
     let right = |a, b| (oracle::angle_between(a, b) - FRAC_PI_2).abs();
-    [right(t, l), right(b, l), right(t, b), (size(t) - 1.0).abs(), (size(b) - 1.0).abs()]
-        .into_iter()
-        .fold(0.0, f64::max)
+    worst([right(t, l), right(b, l), right(t, b), (size(t) - 1.0).abs(), (size(b) - 1.0).abs()].into_iter())
 }
 
 /// The greater error of sine and cosine.
 fn turn_error<T: Real>(turn: T) -> f64 {
     let [sin, cos] = sin_cos(T::of_lane(turn)).map(Scalar::exact);
     let [sine, cosine] = oracle::cone::turned(turn.to_f64());
-    (sin - sine).abs().max((cos - cosine).abs())
+    worse((sin - sine).abs(), (cos - cosine).abs())
 }
 
 fn size(v: [f64; 3]) -> f64 {
