@@ -1,7 +1,7 @@
 //! Black bodies: what a light of a given temperature radiates.
 //!
-//! Two families. The laws in SI units need an exponent range ([`WideRange`]) that f16 does not have: its least number is
-//! a tenth of a visible wavelength in metres, and the Sun's spectral radiance is `2.6e13`. The forms relative to the
+//! Two families. The laws in SI units need an exponent range ([`WideRange`]) that f16 does not have: its least number
+//! is a tenth of a visible wavelength in metres, and the Sun's spectral radiance is `2.6e13`. The forms relative to the
 //! spectrum's peak ([`relative_to_peak`], [`relative_to_peak_frequency`], [`tint`]) work in every format, fixed point
 //! included ([`Scaled`](crate::real::Scaled), integers alone).
 //!

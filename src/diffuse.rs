@@ -71,8 +71,8 @@ const MEAN: [Constant; 11] = [
 /// `n_dot_l` above 1 counts as 1; below 0, and NaN, as 0. Negative albedos, and NaN, give 0; an answer that is too
 /// great for the level gives the greatest level.
 ///
-/// Worst error in units of the last place (`tests/diffuse.rs`): f64 4.5, f32 and micromath 3.2, f16 3.0; in fixed
-/// point of the level, or of 31 bits where those are coarser: I2F14 and I16F16 0.57, I2F30 2.5. That is for levels up to
+/// Worst error in units of the last place (`tests/diffuse.rs`): f64 4.5, f32 and micromath 3.2, f16 3.0; in fixed point
+/// of the level, or of 31 bits where those are coarser: I2F14 and I16F16 0.57, I2F30 2.5. That is for levels up to
 /// 1000; for any level f32 3.3, I2F14 and I16F16 1.4, I2F30 2.9 (`tests/figures.rs`).
 ///
 /// ```
@@ -142,8 +142,8 @@ pub fn relative_illuminance<T: Real>(n_dot_l: T::Wide, light: &DistantSphere<T>)
 ///
 /// Worst relative error as that of [`relative_illuminance`], and a unit of the last place or two. A share of less than
 /// the least normal number of a float has lost digits before a great radiance multiplies it. In f16 the Sun of radiance
-/// 1 gives 6.8e-5, next to that number: there, scale the radiance, or use [`lambert_disc`] with the illuminance. What is
-/// too great for a float is infinite.
+/// 1 gives 6.8e-5, next to that number: there, scale the radiance, or use [`lambert_disc`] with the illuminance. What
+/// is too great for a float is infinite.
 #[inline]
 pub fn illuminance<T: Real>(radiance: T::Scalar, n_dot_l: T::Wide, light: &DistantSphere<T>) -> T::Scalar {
     let relative = relative_illuminance(n_dot_l, light);

@@ -1,8 +1,9 @@
 //! Falling exponentials in every number of wide range: powers of two by comparison, and a short series.
 //!
-//! `e^-x = 2^-k e^-r`. `k` is found bit by bit, since a format need bring no conversion to integers, and each subtraction
-//! is exact: `k 355/512` has nine digits, and is no less than half of what it is taken from (Cody and Waite, 1980, split
-//! the logarithm so; Sterbenz, 1974). Then `e^-r - 1 = -2 r / (r coth(r / 2) + r)`, whose series is even and alternates.
+//! `e^-x = 2^-k e^-r`. `k` is found bit by bit, since a format need bring no conversion to integers, and each
+//! subtraction is exact: `k 355/512` has nine digits, and is no less than half of what it is taken from (Cody and
+//! Waite, 1980, split the logarithm so; Sterbenz, 1974). Then `e^-r - 1 = -2 r / (r coth(r / 2) + r)`, whose series is
+//! even and alternates.
 
 use crate::real::{Constant, Scalar};
 

@@ -16,12 +16,13 @@
 //! | [`ConeGgx`] | GGX integrated over the cone of half vectors, exactly | 6e-6 / 2e-3 / 3e-4 |
 //! | [`ShiftedConeGgx`] | the same, the rest of the model taken beside the mirror ray under large lights | 6e-6 / 9e-4 / 2e-4 |
 //!
-//! The model error is the difference from the BRDF integrated over the disc, integrated over all viewers, as a share of the
-//! highlight: relative L1, the worst of `alpha` from 5e-4 to 1, and of 0 but for `none` (`tests/lobe.rs`). Arithmetic errors of whole
-//! pixels in each format are the budgets of `trial::gloss`, asserted in `tests/gloss.rs`.
+//! The model error is the difference from the BRDF integrated over the disc, integrated over all viewers, as a share of
+//! the highlight: relative L1, the worst of `alpha` from 5e-4 to 1, and of 0 but for `none` (`tests/lobe.rs`).
+//! Arithmetic errors of whole pixels in each format are the budgets of `trial::gloss`, asserted in `tests/gloss.rs`.
 //!
-//! A light beyond half the sky counts as half the sky, which gives a surface that faces it the same illuminance and almost the
-//! same highlight: of a lobe that points away from the horizon neither sees the other half (`tests/highlight_failures.rs`).
+//! A light beyond half the sky counts as half the sky, which gives a surface that faces it the same illuminance and
+//! almost the same highlight: of a lobe that points away from the horizon neither sees the other half
+//! (`tests/highlight_failures.rs`).
 //!
 //! `1 - (n.h)^2` is never formed by subtraction. Nothing overflows: a method works in units of its highlight's own
 //! width, and the peak `1 / (pi alpha^2)`, which f16 cannot hold, is multiplied in a width at a time.
@@ -51,8 +52,8 @@ use crate::sphere::DistantSphere;
 pub trait Highlight<T: Real>: Copy {
     /// The highlight that a surface of normal `n` sends to `v` of a light whose centre is at `l`, all of unit length.
     ///
-    /// Zero where the surface faces away from the viewer or from the light's centre ([`PointGgx`] and [`ShiftedConeGgx`]: from
-    /// the direction of the disc that they shade with), and for NaN.
+    /// Zero where the surface faces away from the viewer or from the light's centre ([`PointGgx`] and
+    /// [`ShiftedConeGgx`]: from the direction of the disc that they shade with), and for NaN.
     fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar>;
 }
 

@@ -3,8 +3,8 @@
 //!
 //! A distant sphere needs no position, only radius over distance. This crate turns that ratio into constants once
 //! ([`DistantSphere`]), and with them every pixel into the direction to shade with ([`cap`]), or into its brightness
-//! ([`scene`]), so that the highlight has the light's size and no more than its energy. It models no more than that needs:
-//! no camera, no geometry.
+//! ([`scene`]), so that the highlight has the light's size and no more than its energy. It models no more than that
+//! needs: no camera, no geometry.
 //!
 //! | room | what it has |
 //! |---|---|
@@ -38,8 +38,8 @@
 //! | I2F30 | Q30 in 32 bits | Q60 in 64 | 1.5e-9 rad | the same | U32F32 |
 //! | I16F16 | Q16 in 32 bits | Q32 in 64 | 1.5e-5 rad | the same | U16F16 |
 //!
-//! Brightness is computed in [`Scaled`](real::Scaled) numbers beside fixed-point lanes: 31 bits and an exponent of their
-//! own, in integers. Levels saturate.
+//! Brightness is computed in [`Scaled`](real::Scaled) numbers beside fixed-point lanes: 31 bits and an exponent of
+//! their own, in integers. Levels saturate.
 //!
 //! All live in one build; a format is a type, and a formula is written once over [`Real`]. [`raw`] takes and gives
 //! bits. The types come from the crates [`fixed`], [`half`] and [`micromath`], which are re-exported. f64 and f32
@@ -55,8 +55,8 @@
 //! # Features
 //!
 //! `fixed`, `half` and `micromath` (all on) bring the formats of the crates of those names, `heapless` (on) the scene,
-//! whose lights are in a list of that crate's; no type of it is public. None changes a result. `oracle` adds the f64 truth and the lists that tests and study share, without the standard library; `study` the
-//! host tool.
+//! whose lights are in a list of that crate's; no type of it is public. None changes a result. `oracle` adds the f64
+//! truth and the lists that tests and study share, without the standard library; `study` the host tool.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

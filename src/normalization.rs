@@ -129,8 +129,8 @@ pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
 /// Radiance of a sphere that is normalised to give `intensity` as illuminance: `intensity / (pi x^2)`; `intensity`
 /// for `x = 0`.
 ///
-/// Within the bound of the others for ratios from 1e-27 and all intensities in f32, for ratios from 1/2048 and intensities
-/// from 0.001 in f16; below, squares and quotients lose digits.
+/// Within the bound of the others for ratios from 1e-27 and all intensities in f32, for ratios from 1/2048 and
+/// intensities from 0.001 in f16; below, squares and quotients lose digits.
 ///
 /// # Errors
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Intensity`] where `intensity` is

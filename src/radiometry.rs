@@ -26,10 +26,10 @@
 //! is zero, negative or NaN gives 0, and what overflows is the greatest finite number. Functions that describe a lamp
 //! refuse what cannot be with a [`RadiometryError`].
 //!
-//! Error: one rounding a factor; relative, for factors and answers over all that the format holds, those below the least
-//! normal number counted as that one (searched for, `tests/figures.rs`): at most 5.8e-16 in f64, 2.9e-7 in f32, 3e-7 in
-//! micromath, 2.6e-3 in f16, 2.8e-9 beside fixed point; of [`SphereLight::radiance`] 1.1e-15, 4.8e-7, 1.1e-5 (micromath's
-//! root), 4.1e-3, 4.1e-9. Each formula's is in `trial::property::radiometry`.
+//! Error: one rounding a factor; relative, for factors and answers over all that the format holds, those below the
+//! least normal number counted as that one (searched for, `tests/figures.rs`): at most 5.8e-16 in f64, 2.9e-7 in f32,
+//! 3e-7 in micromath, 2.6e-3 in f16, 2.8e-9 beside fixed point; of [`SphereLight::radiance`] 1.1e-15, 4.8e-7, 1.1e-5
+//! (micromath's root), 4.1e-3, 4.1e-9. Each formula's is in `trial::property::radiometry`.
 
 mod error;
 mod sphere_light;
@@ -44,8 +44,8 @@ const PI: Constant = Constant::new(core::f64::consts::PI);
 
 const FOUR_PI: Constant = Constant::new(4.0 * core::f64::consts::PI);
 
-/// Radiance of a lamp of `power` watts, `area` square metres, that shines evenly into `solid_angle` steradians: `Phi / (A
-/// Omega)`.
+/// Radiance of a lamp of `power` watts, `area` square metres, that shines evenly into `solid_angle` steradians: `Phi /
+/// (A Omega)`.
 ///
 /// # Errors
 /// [`RadiometryError::Power`], [`RadiometryError::Area`] and [`RadiometryError::SolidAngle`] for what is out of range,
@@ -142,8 +142,8 @@ pub fn radiosity<S: Scalar>(albedo: S, irradiance: S) -> S {
 
 /// Radiance in W/(m^2 sr) of a matt surface of `albedo` under `irradiance`, from everywhere: `rho E / pi`.
 ///
-/// The classic slip is to leave out the `pi`: under a white sky of radiance 1, whose irradiance is `pi`, a white surface
-/// has to have radiance 1.
+/// The classic slip is to leave out the `pi`: under a white sky of radiance 1, whose irradiance is `pi`, a white
+/// surface has to have radiance 1.
 #[inline]
 pub fn diffuse_radiance<S: Scalar>(albedo: S, irradiance: S) -> S {
     saturated(quotient([albedo, irradiance], [S::constant(PI)]))
@@ -158,8 +158,8 @@ pub struct Patch<S> {
     pub cos: S,
 }
 
-/// Power in watts that a patch of `radiance` W/(m^2 sr) sends to another at `distance` metres: the sender's projected area
-/// times the receiver's solid angle, `L (A cos) (A' cos' / r^2)`.
+/// Power in watts that a patch of `radiance` W/(m^2 sr) sends to another at `distance` metres: the sender's projected
+/// area times the receiver's solid angle, `L (A cos) (A' cos' / r^2)`.
 ///
 /// The same is the receiver's projected area times the sender's solid angle: radiance does not change along a ray. So
 /// the two patches may change places.

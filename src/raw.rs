@@ -2,8 +2,9 @@
 //!
 //! Vectors are `[i16; 3]` in Q14 (16384 is 1) or `[i32; 3]` in Q30 (1073741824 is 1), of length 1 give or take a
 //! rounding; up to 1.16 nothing overflows. Each function is the one of the same name in [`specular`], in integers to
-//! the end, with that function's formula, special cases and error; `tests/raw.rs` holds the two to the same bits.
-//! The scene's need the feature `heapless`. Quantities of light are `u32` in Q16 (65536 is 1) and, where they are at most 1, `i32` in Q30.
+//! the end, with that function's formula, special cases and error; `tests/raw.rs` holds the two to the same bits. The
+//! scene's need the feature `heapless`. Quantities of light are `u32` in Q16 (65536 is 1) and, where they are at most
+//! 1, `i32` in Q30.
 
 mod blackbody;
 mod diffuse;

@@ -134,8 +134,8 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
 
 /// How far a half vector `h` of `l` and `v` leans from the normal `n`, in units of a highlight's width.
 ///
-/// Floats take the tilt from `n - h`, which is exact where the two are close, fixed point from `n x (l + v)` and `n.(l -
-/// v)`, which are exact everywhere. Where `l = -v`, all of it is zero.
+/// Floats take the tilt from `n - h`, which is exact where the two are close, fixed point from `n x (l + v)` and `n.(l
+/// - v)`, which are exact everywhere. Where `l = -v`, all of it is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Halfway<S> {
     /// `(v.h)^2`, which is `|l + v|^2 / 4`.

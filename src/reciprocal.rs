@@ -17,8 +17,8 @@ pub(crate) fn fraction_of_reciprocal(m: u32) -> u32 {
     let (start, fall) = LINES.get((m >> 25) as usize & (CELLS - 1)).copied().unwrap_or_default();
     // Q15 in 16 bits.
     let seed = u32::from(start).wrapping_sub((u32::from(fall) * ((m >> 9) & 0xffff)) >> 16);
-    // Products of 16 bits alone, since the smallest chips have no wider ones. The residual 1 - y seed is under 2^-12, so the
-    // low 32 bits of Q43 hold it.
+    // Products of 16 bits alone, since the smallest chips have no wider ones. The residual 1 - y seed is under 2^-12,
+    // so the low 32 bits of Q43 hold it.
     let product = (m >> 16).wrapping_mul(seed << 13).wrapping_add((m & 0xffff).wrapping_mul(seed) >> 3);
     let residual = 0_u32.wrapping_sub(product) as i32;
     let coarse = residual >> 16;

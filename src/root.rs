@@ -17,8 +17,8 @@ pub(crate) fn reciprocal_root(m: u32) -> u32 {
     u32::try_from(root::<31>(m, 1)).unwrap_or(u32::MAX)
 }
 
-/// What `1/sqrt(m / 2^32)` is above 1, of `m` in `[2^30, 2^32)`, in Q32: the root's 33 bits without the first, of a mantissa
-/// that has not been cut.
+/// What `1/sqrt(m / 2^32)` is above 1, of `m` in `[2^30, 2^32)`, in Q32: the root's 33 bits without the first, of a
+/// mantissa that has not been cut.
 ///
 /// Within 0.65 of the last place. `m = 2^30` gives `2^32 - 1`, which stands for `2^32`.
 #[inline]
@@ -98,8 +98,8 @@ mod tests {
         (f64::from(fraction_of_reciprocal_root(m)) - exact.min(4_294_967_295.0)).abs()
     }
 
-    /// `tests/exhaustive.rs` has all mantissas. A stride that is coprime to the cells reaches every cell at ever different
-    /// places.
+    /// `tests/exhaustive.rs` has all mantissas. A stride that is coprime to the cells reaches every cell at ever
+    /// different places.
     fn worst(error: fn(u32) -> f64) -> f64 {
         (1_u32 << 30..=u32::MAX).step_by(997).chain([1 << 30, u32::MAX]).map(error).fold(0.0, f64::max)
     }

@@ -58,8 +58,8 @@ impl<T: Real> Cone<T> {
         let scaled = scale::<T>() * sin;
         // The full sphere has -2 for its cosine.
         let size = if narrow { cos } else { at_most(zero - cos, one) };
-        // Tangent of half the angular radius, or of half of what that leaves of 180 degrees: at most 1. Neither it nor the
-        // versine of a small disc is taken from the light's versine, which is subnormal in f16.
+        // Tangent of half the angular radius, or of half of what that leaves of 180 degrees: at most 1. Neither it nor
+        // the versine of a small disc is taken from the light's versine, which is subnormal in f16.
         let tangent = sin / (one + size);
         let square = tangent * tangent;
         let (versine, scaled_versine) =
@@ -77,15 +77,15 @@ impl<T: Real> Cone<T> {
     /// the numbers are over the square.
     ///
     /// The versine of its angle from `l` is `z w`, so that its sine is `sqrt(z (x^2 + w^2 (1 - z)))`, in which nothing
-    /// is subtracted that cancels, for discs up to the full sphere. The turn begins at the first vector of [`basis`] and goes
-    /// towards the second. `z = 0` is `l`, `z = 1` the rim. Numbers below 0, and NaN, are taken for 0 and those above
-    /// 1 for 1.
+    /// is subtracted that cancels, for discs up to the full sphere. The turn begins at the first vector of [`basis`]
+    /// and goes towards the second. `z = 0` is `l`, `z = 1` the rim. Numbers below 0, and NaN, are taken for 0 and
+    /// those above 1 for 1.
     ///
     /// Every answer is within [`Cone::contains`]: one that rounding has put outside is moved inwards, first by
     /// what it is outside, then by twice that, until it is not.
     ///
-    /// Worst error in radians, against exact arithmetic on the same `l`, light and numbers, for discs of an angular radius
-    /// up to the one given (searched for, `tests/figures.rs`):
+    /// Worst error in radians, against exact arithmetic on the same `l`, light and numbers, for discs of an angular
+    /// radius up to the one given (searched for, `tests/figures.rs`):
     ///
     /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
     /// |---|---|---|---|---|---|---|---|
@@ -113,8 +113,8 @@ impl<T: Real> Cone<T> {
     /// than half the sky `|direction + l|^2 >= 2 (2 - w)`.
     ///
     /// For small discs the difference is exact. Directions on the wrong side of the rim are at most so far from it, in
-    /// radians, with lengths off by what rounding to the format does to them, for angular radii from 0.001 up to that given
-    /// (searched for, `tests/figures.rs`):
+    /// radians, with lengths off by what rounding to the format does to them, for angular radii from 0.001 up to that
+    /// given (searched for, `tests/figures.rs`):
     ///
     /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
     /// |---|---|---|---|---|---|---|---|
@@ -123,8 +123,8 @@ impl<T: Real> Cone<T> {
     /// | half the sky | 7.5e-16 | 2.5e-7 | 2.9e-7 | 2.1e-3 | 8.6e-5 | 1.3e-9 | 1.9e-5 |
     /// | the full sphere | 1.0e-15 | 2.7e-7 | 2.9e-7 | 2.4e-3 | 8.6e-5 | 1.3e-9 | 1.9e-5 |
     ///
-    /// A disc below 0.001 rad is finer than the lights of the narrow formats: there up to 4.6e-4 in f16, 6.8e-5 in I2F14
-    /// and 1.6e-5 in I16F16.
+    /// A disc below 0.001 rad is finer than the lights of the narrow formats: there up to 4.6e-4 in f16, 6.8e-5 in
+    /// I2F14 and 1.6e-5 in I16F16.
     ///
     /// False for NaN and infinities.
     #[inline]
@@ -135,9 +135,9 @@ impl<T: Real> Cone<T> {
 
     /// The solid angle `2 pi w` in steradians, in f16 subnormal below `x = 0.0044`.
     ///
-    /// Relative error of it, as `tests/figures.rs` asserts for angular radii from 1e-5 (I2F14 and I16F16 0.001, f16 0.0045)
-    /// up to the full sphere: f64 1.1e-15, f32 and micromath 3.6e-7, f16 2.8e-3, I2F14 4.2e-6, I2F30 2.5e-9, I16F16
-    /// 2.7e-7.
+    /// Relative error of it, as `tests/figures.rs` asserts for angular radii from 1e-5 (I2F14 and I16F16 0.001, f16
+    /// 0.0045) up to the full sphere: f64 1.1e-15, f32 and micromath 3.6e-7, f16 2.8e-3, I2F14 4.2e-6, I2F30 2.5e-9,
+    /// I16F16 2.7e-7.
     #[inline]
     pub fn solid_angle(&self) -> T::Scalar {
         self.solid_angle / scale::<T>()
@@ -147,8 +147,8 @@ impl<T: Real> Cone<T> {
     /// 0`), which is sampled whole.
     ///
     /// # Errors
-    /// [`LightError::Overflow`] where that is infinite, in f16 below `x = 0.0022`. [`soft_shadow`](crate::shadow::soft_shadow)
-    /// needs no density.
+    /// [`LightError::Overflow`] where that is infinite, in f16 below `x = 0.0022`.
+    /// [`soft_shadow`](crate::shadow::soft_shadow) needs no density.
     #[inline]
     pub fn pdf(&self) -> Result<T::Scalar, LightError> {
         if self.narrow && self.reach <= T::Scalar::ZERO {

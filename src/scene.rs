@@ -1,4 +1,5 @@
-//! The least scene: some distant lights, one material, no geometry. Needs the feature `heapless`, which is on by default.
+//! The least scene: some distant lights, one material, no geometry. Needs the feature `heapless`, which is on by
+//! default.
 //!
 //! ```
 //! use sunglint::material::{Material, Surface};

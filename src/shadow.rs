@@ -23,9 +23,10 @@ pub struct SoftShadow<T: Real> {
 /// directions (`count = 0`), nothing is seen: both means are 0.
 ///
 /// The visible share is within `2 count^-0.75` of the area that is seen, in every format, and the mean cosine too as a
-/// share of its greatest, as `tests/shadow.rs` asserts for discs that a plane, a sphere or the surface's own horizon cuts
-/// (root mean square a quarter of that: 0.6 % for 256 directions). To this comes, however many the directions, where the Sun is
-/// few steps of the format wide: 0.04 in f16 and 0.0021 in I2F14 (and 0.0014 in f16 for a ratio of 0.05).
+/// share of its greatest, as `tests/shadow.rs` asserts for discs that a plane, a sphere or the surface's own horizon
+/// cuts (root mean square a quarter of that: 0.6 % for 256 directions). To this comes, however many the directions,
+/// where the Sun is few steps of the format wide: 0.04 in f16 and 0.0021 in I2F14 (and 0.0014 in f16 for a ratio of
+/// 0.05).
 ///
 /// ```
 /// use sunglint::sampling::Cone;
@@ -60,11 +61,12 @@ pub fn soft_shadow<T: Real>(
 
 impl<T: Real> SoftShadow<T> {
     /// Radiance that a diffuse surface of `albedo` reflects, under a light whose unhidden illuminance on a surface that
-    /// faces it is `illuminance`: `rho / pi` times [`SoftShadow::cosine`] over [`Cone::mean_cosine`] times `illuminance`.
+    /// faces it is `illuminance`: `rho / pi` times [`SoftShadow::cosine`] over [`Cone::mean_cosine`] times
+    /// `illuminance`.
     ///
-    /// That is `rho / pi` times the mean of `L V cos / pdf` for a light of radiance `L = illuminance / sizeFactor`, without
-    /// the density, which f16 cannot hold for small discs. Beyond half the sky, `illuminance` counts both sides of the
-    /// surface, as sizeFactor does: of 360 degrees half arrives here.
+    /// That is `rho / pi` times the mean of `L V cos / pdf` for a light of radiance `L = illuminance / sizeFactor`,
+    /// without the density, which f16 cannot hold for small discs. Beyond half the sky, `illuminance` counts both sides
+    /// of the surface, as sizeFactor does: of 360 degrees half arrives here.
     #[inline]
     pub fn radiance(&self, albedo: T::Scalar, illuminance: T::Scalar) -> T::Scalar {
         albedo * T::Scalar::constant(INVERSE_PI) * (self.cosine / self.mean_cosine) * illuminance

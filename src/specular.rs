@@ -36,11 +36,11 @@ pub fn epic<T: Real>(l: [T; 3], r: [T; 3], light: &UnfactoredSphere<T>) -> [T; 3
 /// Error: as that of [`cap`], about twice as large; budgets in `trial::budget`, from a search (`tests/search.rs`). NaN
 /// gives zero.
 ///
-/// `x` is radius over distance. `D` is perpendicular to the *line* of `r`, so that the turn is about `theta
-/// cos(angle)` in place of `theta`: exact inside the disc, for the Sun 0.34 % short at 5 degrees, half at 60, and
-/// *away* from `r` beyond 90 degrees. It is even in `r` (in I2F30 and I16F16 but for the last bit): the sign of
-/// `reflect` does not matter. Where `P` is zero (`x = 1`, `l` perpendicular to `r`) the answer is zero. Meant for lights
-/// that subtend up to 180 degrees, as spheres do.
+/// `x` is radius over distance. `D` is perpendicular to the *line* of `r`, so that the turn is about `theta cos(angle)`
+/// in place of `theta`: exact inside the disc, for the Sun 0.34 % short at 5 degrees, half at 60, and *away* from `r`
+/// beyond 90 degrees. It is even in `r` (in I2F30 and I16F16 but for the last bit): the sign of `reflect` does not
+/// matter. Where `P` is zero (`x = 1`, `l` perpendicular to `r`) the answer is zero. Meant for lights that subtend up
+/// to 180 degrees, as spheres do.
 #[inline]
 pub fn factored<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let d = T::diff(T::dot(l, r), r, T::WIDE_ONE, l);
@@ -54,9 +54,10 @@ pub fn factored<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 
 /// `normalize(cos l + sin normalize(r - (l.r) l))`.
 ///
 /// For studies: the same answer as [`cap`] in exact arithmetic, but the cosine of a small disc is so close to 1 that
-/// f16 takes half of the directions at 5 radii of the Sun to be inside, and some at 10, and f32 has only 181 steps
-/// from the Sun's cosine to 1. At `r = -l` and a few steps of the format from it the answer is some direction of the rim,
-/// on the wrong side even in f64: what rounding leaves of the tangent is normalised. NaN gives a zero vector, or `l` where `r` alone is NaN; an infinite `r` may be returned.
+/// f16 takes half of the directions at 5 radii of the Sun to be inside, and some at 10, and f32 has only 181 steps from
+/// the Sun's cosine to 1. At `r = -l` and a few steps of the format from it the answer is some direction of the rim, on
+/// the wrong side even in f64: what rounding leaves of the tangent is normalised. NaN gives a zero vector, or `l` where
+/// `r` alone is NaN; an infinite `r` may be returned.
 #[inline]
 pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let l_dot_r = T::dot(l, r);
@@ -74,16 +75,15 @@ pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
 /// x^2`, the answer is `r` itself and costs no root; outside it is `l + (x / |s|) s - w l`, `w` being the versine.
 /// The rim of discs between 44 and 136 degrees is told by its cosine.
 ///
-/// At `r = -l` every direction on the rim is as near: the answer is `l`; for the full sphere it is `r`. Within a step of
-/// the format of `-l` it is some direction of the rim, in f16 up to `2.3e-2 x` beyond it. For `x = 0`
-/// the answer is `l`, but `r` where the two are parallel to within a step of the format. A zero `r` gives zero, a
-/// zero `l` gives `x r`. Where `r` is not finite the answer is `l`; where `l` is not finite, or longer than 2, it is
-/// zero.
+/// At `r = -l` every direction on the rim is as near: the answer is `l`; for the full sphere it is `r`. Within a step
+/// of the format of `-l` it is some direction of the rim, in f16 up to `2.3e-2 x` beyond it. For `x = 0` the answer is
+/// `l`, but `r` where the two are parallel to within a step of the format. A zero `r` gives zero, a zero `l` gives `x
+/// r`. Where `r` is not finite the answer is `l`; where `l` is not finite, or longer than 2, it is zero.
 ///
 /// Error at the Sun in radians, all angles but those within a step of the format of `-l`, against exact arithmetic on
 /// the same inputs: 12 % above the worst that a search has found (`tests/search.rs`; other discs: `trial::budget`; that
-/// of f64 is held against 192 bits too, in `tests/oracle.rs`). The length is 1 to within 3.1e-7 in f32, 7.4e-3 in f16, 1.6e-4 in I2F14 and
-/// 2.8e-9 in I2F30, under discs up to a ratio of 1:
+/// of f64 is held against 192 bits too, in `tests/oracle.rs`). The length is 1 to within 3.1e-7 in f32, 7.4e-3 in f16,
+/// 1.6e-4 in I2F14 and 2.8e-9 in I2F30, under discs up to a ratio of 1:
 ///
 /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
 /// |---|---|---|---|---|---|---|---|

@@ -1,5 +1,5 @@
-//! Black bodies: every law in every format against an oracle that is itself held to 192 bits, the laws that integrate and
-//! displace Planck's, and the ways in which the plain formula fails.
+//! Black bodies: every law in every format against an oracle that is itself held to 192 bits, the laws that integrate
+//! and displace Planck's, and the ways in which the plain formula fails.
 
 mod exact;
 

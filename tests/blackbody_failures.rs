@@ -1,5 +1,5 @@
-//! The catalogue of failures of black bodies: the plain formula fails with the figure stated, this crate's does not; and
-//! what no black body can be is dark.
+//! The catalogue of failures of black bodies: the plain formula fails with the figure stated, this crate's does not;
+//! and what no black body can be is dark.
 
 mod exact;
 

@@ -238,8 +238,8 @@ fn zero_times_infinity_survives_clamp() {
     assert_eq!(factor(0.00465, 0.0).clamp(0.0, 1.0), 1.0);
 }
 
-/// The same vector twice, whose dot product f32 rounds to a step beside 1: by `acos` not a number, or a tenth of the Sun's
-/// radius.
+/// The same vector twice, whose dot product f32 rounds to a step beside 1: by `acos` not a number, or a tenth of the
+/// Sun's radius.
 #[test]
 fn the_angle_between_a_vector_and_itself_by_its_cosine() {
     let vectors = || input::random(9, 10_000, 0.1).map(|pair| pair.l.map(|lane| lane as f32));
@@ -326,8 +326,8 @@ fn cap_is_continuous_across_the_rim() {
     check::<I2F30>(Format::I2F30);
 }
 
-/// The worst angle from `l`, in degrees, of `l + s - l` for half the sky, with the tangent `s` of `r - l` by one projection,
-/// beside `-l`.
+/// The worst angle from `l`, in degrees, of `l + s - l` for half the sky, with the tangent `s` of `r - l` by one
+/// projection, beside `-l`.
 fn unguarded<T: Real>() -> f64 {
     let mut worst = 0.0_f64;
     for (index, pair) in (0..2000).zip(input::random(13, 2000, 1.0)) {

@@ -1,5 +1,5 @@
-//! The budgets of `trial::property` for any input: within them, and not far within, is the worst that draws and an ascent
-//! on their bytes find.
+//! The budgets of `trial::property` for any input: within them, and not far within, is the worst that draws and an
+//! ascent on their bytes find.
 
 use oorandom::Rand64;
 use sunglint::trial::property::figures::{Figures, Row};

@@ -99,8 +99,8 @@ impl<const SCALED: bool> Float for Flushing<SCALED> {
     }
 }
 
-/// The catalogue's scene at 1.5 times the radius of a Sun of ratio 0.00465: where the answer lies, and where `r` does, in
-/// radii.
+/// The catalogue's scene at 1.5 times the radius of a Sun of ratio 0.00465: where the answer lies, and where `r` does,
+/// in radii.
 fn turns<T: Real>() -> [f64; 2] {
     let light = sunglint::DistantLight::from_ratio(0.00465).unwrap();
     let theta = light.angular_radius();

@@ -81,7 +81,8 @@ fn in_i16f16() {
     keeps_its_budgets(Format::I16F16);
 }
 
-/// Prints the tables of `trial::gloss` again: 1.12 times the worst of 50 000 pixels from each of three seeds, and the rms.
+/// Prints the tables of `trial::gloss` again: 1.12 times the worst of 50 000 pixels from each of three seeds, and the
+/// rms.
 #[test]
 #[ignore = "two minutes: cargo test --release --test gloss -- --ignored --nocapture"]
 fn prints_the_budgets() {

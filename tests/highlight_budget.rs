@@ -1,4 +1,5 @@
-//! The budgets for highlights of any light, roughness and directions hold where a search looks for the worst, and are tight.
+//! The budgets for highlights of any light, roughness and directions hold where a search looks for the worst, and are
+//! tight.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -10,8 +11,8 @@ use sunglint::trial::property::highlight::budget::{self, ROUNDING, STEPS};
 use sunglint::trial::property::highlight::{Exact, surface_and_pixel};
 use sunglint::trial::{Draw, Format, Shading, gloss};
 
-/// The worst that [`the_full_search_finds_what_is_recorded`] has found, as the bytes of a case, one line for each family of
-/// methods in each format.
+/// The worst that [`the_full_search_finds_what_is_recorded`] has found, as the bytes of a case, one line for each
+/// family of methods in each format.
 const RECORDED: &str = include_str!("worst/highlight.csv");
 
 /// More than a case reads.
@@ -24,7 +25,8 @@ struct Judged {
     share: f64,
     /// The same without what is allowed for the root, whose tightness is shown in f64.
     without_root: f64,
-    /// What of the error is neither a change of directions nor the root's, in steps; negative where those would have done.
+    /// What of the error is neither a change of directions nor the root's, in steps; negative where those would have
+    /// done.
     steps: f64,
     /// What of it is no change of directions, over what the root may make.
     root: f64,
@@ -135,7 +137,8 @@ fn recorded() -> BTreeMap<(usize, usize), (Peak, f64)> {
     RECORDED.lines().skip(1).map(line).collect()
 }
 
-/// So no constant is greater than four times what was found, but those of a rounding, which say that next to nothing was.
+/// So no constant is greater than four times what was found, but those of a rounding, which say that next to nothing
+/// was.
 #[test]
 fn steps_are_made_of_the_recorded_cases() {
     let recorded = recorded();
@@ -231,7 +234,8 @@ fn a_million_random_cases_of_each_family_are_within_what_is_allowed() {
     });
 }
 
-/// A case of the fuzzer's corpus: format, method and kind, then what the others read. [`prints_what_the_root_lacks`] found it.
+/// A case of the fuzzer's corpus: format, method and kind, then what the others read. [`prints_what_the_root_lacks`]
+/// found it.
 const ROOTS_WORST: &[u8] = include_bytes!("../fuzz/corpus/highlight/roots-worst-f64");
 
 /// In f64 next to nothing else is wrong with it.

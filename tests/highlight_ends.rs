@@ -63,8 +63,8 @@ fn a_mirror_shows_the_disc_to_its_rim() {
     }
 }
 
-/// The ends of every method: a mirror under the Sun shows its whole radiance, a point light is that of no size, and what was
-/// left to guards at zero is not dark.
+/// The ends of every method: a mirror under the Sun shows its whole radiance, a point light is that of no size, and
+/// what was left to guards at zero is not dark.
 struct Ends;
 
 impl Visitor for Ends {

@@ -1,5 +1,5 @@
-//! Highlights at lights, widths and pixels that nobody looks for, but a search over all of them has found: what the kernels
-//! made of them, and what they make of them now.
+//! Highlights at lights, widths and pixels that nobody looks for, but a search over all of them has found: what the
+//! kernels made of them, and what they make of them now.
 
 mod exact;
 
@@ -33,8 +33,9 @@ fn assert_off_by(what: &str, format: Format, at: At, budget: f64) {
     exact::assert_tight(what, format.visit(at).abs(), budget);
 }
 
-/// A normal that leaned from the half vector by more than 173 widths of the highlight counted as one that leaned by so much: 11
-/// orders of magnitude too bright where viewer and light are grazing and opposite, and the highlight is thousands of widths away.
+/// A normal that leaned from the half vector by more than 173 widths of the highlight counted as one that leaned by so
+/// much: 11 orders of magnitude too bright where viewer and light are grazing and opposite, and the highlight is
+/// thousands of widths away.
 #[test]
 fn a_lean_of_many_widths_is_not_cut_off() {
     let v = [0.0001258314815683579, -0.7388064386587111, 0.6739176732827761];
@@ -50,8 +51,8 @@ fn a_lean_of_many_widths_is_not_cut_off() {
     assert_off_by("612 for 0.289", Format::F64, at, 3.5e-13);
 }
 
-/// Three steps towards the cone's root are not enough at grazing incidence, where its two poles are hundreds of times apart:
-/// three times too bright. Beside its peak, of which the root's budget is a share, the highlight is faint here.
+/// Three steps towards the cone's root are not enough at grazing incidence, where its two poles are hundreds of times
+/// apart: three times too bright. Beside its peak, of which the root's budget is a share, the highlight is faint here.
 #[test]
 fn the_cones_root_is_right_where_its_poles_are_far_apart() {
     let n = [-0.6960015143835844, -0.7180403136139402, -9.755192700070268e-7];
@@ -69,8 +70,8 @@ fn the_cones_root_is_right_where_its_poles_are_far_apart() {
     }
 }
 
-/// `(v.h)^2 = (1 + m.v) / 2` has no digits left where the viewer is opposite to the light's point `m`: 15 times too bright
-/// in f32, by half in f16.
+/// `(v.h)^2 = (1 + m.v) / 2` has no digits left where the viewer is opposite to the light's point `m`: 15 times too
+/// bright in f32, by half in f16.
 #[test]
 fn the_half_vector_of_an_opposite_viewer_keeps_its_digits() {
     let point = DistantLight::from_ratio(0.0).unwrap();

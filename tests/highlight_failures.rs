@@ -246,8 +246,8 @@ fn a_large_lamp_at_grazing_incidence_is_not_black() {
     }
 }
 
-/// Worst error of a method where `n`, `v` and `l` are anywhere, the latter two a degree above the surface or more, in units of
-/// the highlight's truth there or straight on, whichever is greater.
+/// Worst error of a method where `n`, `v` and `l` are anywhere, the latter two a degree above the surface or more, in
+/// units of the highlight's truth there or straight on, whichever is greater.
 struct Anywhere {
     method: Shading,
     glossy: Glossy,
@@ -315,8 +315,8 @@ fn summed(glossy: &Glossy, light: &DistantLight, pixel: &Pixel) -> f64 {
     lit.sum::<f64>() * 2.0 / f64::from(COUNT)
 }
 
-/// The sine falls again beyond half the sky: by it the highlight of a light of 359 degrees was 13 000 times too bright, and that
-/// of the full sphere zero.
+/// The sine falls again beyond half the sky: by it the highlight of a light of 359 degrees was 13 000 times too bright,
+/// and that of the full sphere zero.
 #[test]
 fn beyond_half_the_sky_a_highlight_is_that_of_half() {
     let half = DistantLight::from_angle(180.0).unwrap();
@@ -362,7 +362,8 @@ impl Visitor for Singular {
                     for level in [of(up, up), of(slanted, mirrored)] {
                         assert!(level.is_finite() && level >= 0.0, "{name}: {level}");
                     }
-                    // From within the surface and from below; from opposite the light, where the half vector has no direction.
+                    // From within the surface and from below; from opposite the light, where the half vector has no
+                    // direction.
                     assert_eq!([of(aside, slanted), of(down, up)], [0.0; 2], "{name}");
                     let through = [of(slanted, down), of(slanted, lanes([-0.6, 0.0, -0.8]))];
                     // Half of the sky reaches above the surface from there.

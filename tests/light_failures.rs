@@ -1,4 +1,5 @@
-//! The catalogue of what goes wrong with the size of a light elsewhere, each with its figure, and that it does not here.
+//! The catalogue of what goes wrong with the size of a light elsewhere, each with its figure, and that it does not
+//! here.
 
 use std::f64::consts::PI;
 
@@ -83,7 +84,8 @@ fn slips_of_units_and_of_functions() {
     assert!(ours.into_iter().all(|error| error.abs() < 1e-15), "{ours:?}");
 }
 
-/// The first two branches of sizeFactor at every angle: zero for the full sphere, whose intensity is then divided by it.
+/// The first two branches of sizeFactor at every angle: zero for the full sphere, whose intensity is then divided by
+/// it.
 #[test]
 fn one_branch_for_all_angles_divides_by_zero() {
     let one_branch = |angle: f64| PI * (angle / 2.0).to_radians().sin().powi(2);
@@ -139,7 +141,8 @@ fn a_density_by_subtraction_loses_three_quarters_at_a_fiftieth_of_a_degree() {
     assert!(new.abs() < 3e-7, "{new:e}");
 }
 
-/// The sine of a sample by `sqrt(1 - cos^2)`, its cosine as published: what the cosine cannot tell from 1 is the centre.
+/// The sine of a sample by `sqrt(1 - cos^2)`, its cosine as published: what the cosine cannot tell from 1 is the
+/// centre.
 #[test]
 fn a_sample_by_its_cosine_is_the_centre() {
     const COUNT: u32 = 1 << 20;

@@ -102,7 +102,8 @@ fn at_the_sun_eighty_degrees() {
     assert_about("karis, L1", worst(&rough(rows), Shading::Karis, l1), 3.9);
 }
 
-/// Relative L1 at the Sun, 0, 45, 60 and 80 degrees off the normal, as the docs of [`sunglint::highlight`] and the README have it.
+/// Relative L1 at the Sun, 0, 45, 60 and 80 degrees off the normal, as the docs of [`sunglint::highlight`] and the
+/// README have it.
 const DOCUMENTED: [[f64; 4]; METHODS] = [
     [29.0, 39.0, 53.0, 140.0],
     [0.30, 0.41, 1.0, 4.8],

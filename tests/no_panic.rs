@@ -1,5 +1,5 @@
-//! That nothing of the core panics is shown by linking `tests/no_panic`, see `.ci/run`; here is that nothing is left out
-//! of it.
+//! That nothing of the core panics is shown by linking `tests/no_panic`, see `.ci/run`; here is that nothing is left
+//! out of it.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -127,7 +127,8 @@ fn quantities_in_f16() {
     check_radiance(ratios.into_iter().filter(|ratio| ratio.to_f64() >= 1.0 / 2048.0), 0.8);
 }
 
-/// Intensities and ratios of which the quotient is out of the range in which it keeps its digits, though the answer is not.
+/// Intensities and ratios of which the quotient is out of the range in which it keeps its digits, though the answer is
+/// not.
 #[test]
 fn radiance_of_the_faintest_and_the_farthest() {
     let far = || spread(COUNT, 1e-27, 1e-9);

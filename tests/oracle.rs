@@ -284,7 +284,8 @@ fn closed_forms_are_right_to_a_few_last_places() {
     }
 }
 
-/// The oracle's own rounding is as large as the error of a method in f64, so that one has to be held to its budget without it.
+/// The oracle's own rounding is as large as the error of a method in f64, so that one has to be held to its budget
+/// without it.
 fn worst_in_f64(method: Method, index: usize, truth: impl Fn(&Disc, Pair) -> BigVector) -> f64 {
     let light = &BUDGETED[index].light;
     let sin = big(light.sin());

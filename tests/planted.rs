@@ -1,5 +1,5 @@
-//! The judges are judged: an error planted into a format, of the size that its last place has, is one that the budgets of
-//! every family catch; and what they cannot catch is said.
+//! The judges are judged: an error planted into a format, of the size that its last place has, is one that the budgets
+//! of every family catch; and what they cannot catch is said.
 
 mod exact;
 #[path = "exact/planted.rs"]

@@ -1,4 +1,5 @@
-//! How near the claims of the family `normalization` come to what they allow: no allowance may be four times what occurs.
+//! How near the claims of the family `normalization` come to what they allow: no allowance may be four times what
+//! occurs.
 
 use std::collections::BTreeMap;
 

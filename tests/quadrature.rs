@@ -19,7 +19,8 @@ fn pixel(incidence: f64, away: f64, azimuth: f64) -> Pixel {
     Pixel { n: [0.0, 0.0, 1.0], v: [-r[0], -r[1], r[2]], l }
 }
 
-/// Pixels from a hundredth to ten times the highlight's width from its middle, the viewer 3 degrees above the surface or more.
+/// Pixels from a hundredth to ten times the highlight's width from its middle, the viewer 3 degrees above the surface
+/// or more.
 fn pixels(glossy: &Glossy, incidence: f64, count: usize) -> impl Iterator<Item = Pixel> {
     let mut source = Rand64::new(5);
     let width = glossy.ratio.asin() + 2.0 * glossy.alpha;

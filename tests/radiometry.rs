@@ -283,7 +283,8 @@ fn lamps_that_cannot_be_are_refused_with_value_and_range() {
     assert_eq!(nowhere, RadiometryError::Length(0.0));
 }
 
-/// A light behind all three planes of the axes, and one whose lanes differ in sign and size: as bright as its mirror image.
+/// A light behind all three planes of the axes, and one whose lanes differ in sign and size: as bright as its mirror
+/// image.
 #[test]
 fn a_sphere_light_does_not_mind_the_sign_of_its_place() {
     fn check<T: Real>() {

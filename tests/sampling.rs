@@ -99,8 +99,8 @@ fn the_basis_is_the_rotated_x_axis() {
     }
 }
 
-/// How the samples of a 256 by 256 grid lie: the greatest departure of the 16 by 16 counts from 256, and of the first two
-/// moments of the part of the versine from 1/2 and 1/3 and of the mean direction from the centre.
+/// How the samples of a 256 by 256 grid lie: the greatest departure of the 16 by 16 counts from 256, and of the first
+/// two moments of the part of the versine from 1/2 and 1/3 and of the mean direction from the centre.
 struct Spread(DistantLight);
 
 impl Visitor for Spread {
@@ -188,9 +188,9 @@ impl Visitor for Outside {
     }
 }
 
-/// By the chord in the format none is outside. By the exact angle some are, by what rounding does to the light's ratio and
-/// to the lengths of `l` and of the answer, which a chord takes for angle: a fiftieth of
-/// a step of the format for the Sun, up to 2.3 for large discs.
+/// By the chord in the format none is outside. By the exact angle some are, by what rounding does to the light's ratio
+/// and to the lengths of `l` and of the answer, which a chord takes for angle: a fiftieth of a step of the format for
+/// the Sun, up to 2.3 for large discs.
 #[test]
 fn no_sample_is_outside() {
     for (name, light) in lights() {
@@ -380,8 +380,8 @@ fn any_bits_have_an_answer() {
     check(|| f16::from_bits(next(()) as u16));
 }
 
-/// Beside the antipode of a disc of almost the full sphere, what is left of the versine tells the angle: pulled in by the
-/// versine itself, samples there moved by up to 5e-4 rad in f32, and in f16 came out as `l`.
+/// Beside the antipode of a disc of almost the full sphere, what is left of the versine tells the angle: pulled in by
+/// the versine itself, samples there moved by up to 5e-4 rad in f32, and in f16 came out as `l`.
 #[test]
 fn samples_beside_the_antipode_stay_there() {
     fn farthest<T: Real>() -> f64 {

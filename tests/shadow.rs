@@ -64,7 +64,8 @@ fn shadows_of_many_scenes() {
     }
 }
 
-/// The root mean square falls as fast: from 16 to 1024 directions to a 23rd, for 0.75 is the power of 64 that makes that.
+/// The root mean square falls as fast: from 16 to 1024 directions to a 23rd, for 0.75 is the power of 64 that makes
+/// that.
 #[test]
 fn the_error_falls_with_the_three_quarter_power() {
     let rms = |count| trial::error::<f32>(&SUN, Occluder::Plane, count, 2, 400).rms();

@@ -1,5 +1,5 @@
-//! Planck's law relative to its peak, as a function of the wavelength or frequency relative to the peak's: numbers about
-//! one, which every format holds.
+//! Planck's law relative to its peak, as a function of the wavelength or frequency relative to the peak's: numbers
+//! about one, which every format holds.
 
 use crate::exponential::{complement, shrunk};
 use crate::real::{Constant, Scalar};
@@ -23,12 +23,12 @@ const FREQUENCY: Law = Law {
     fifth: false,
 };
 
-/// Spectral radiance by wavelength over that of the peak, at a wavelength of `ratio` times the peak's (`lambda T / b`, for
-/// instance in micrometres times kilokelvins over 2.8978): `y^-5 expm1(a) / expm1(a / y)` with `a = 4.965114`, from 0
-/// to 1. The same curve for all temperatures.
+/// Spectral radiance by wavelength over that of the peak, at a wavelength of `ratio` times the peak's (`lambda T / b`,
+/// for instance in micrometres times kilokelvins over 2.8978): `y^-5 expm1(a) / expm1(a / y)` with `a = 4.965114`, from
+/// 0 to 1. The same curve for all temperatures.
 ///
-/// Zero for `ratio` zero, negative or NaN. Worst relative error for ratios from 0.5 to 10, and worst absolute error over
-/// all ratios that the format has (2^-16 to 60 000), as `tests/figures.rs` asserts them:
+/// Zero for `ratio` zero, negative or NaN. Worst relative error for ratios from 0.5 to 10, and worst absolute error
+/// over all ratios that the format has (2^-16 to 60 000), as `tests/figures.rs` asserts them:
 ///
 /// | | f64 | f32 | micromath | f16 | fixed point |
 /// |---|---|---|---|---|---|

@@ -13,8 +13,8 @@ const SECOND: Constant = Constant::new(14.387_768_775_039_338);
 /// The units are such that f16 and Q16.16 hold them. The law itself is never formed but its quotients alone, so that
 /// embers of 0.8 kK, whose visible light is 1e-9 of their peak, have a colour in f16 too.
 ///
-/// Wavelengths may differ by a factor of up to 8. Zeros where the temperature or a wavelength is zero, negative or not finite.
-/// The greatest level is exactly 1.
+/// Wavelengths may differ by a factor of up to 8. Zeros where the temperature or a wavelength is zero, negative or not
+/// finite. The greatest level is exactly 1.
 ///
 /// Worst absolute error of a level, for 0.8 to 40 kK at wavelengths of 0.38 to 0.78 micrometres (searched for,
 /// `tests/figures.rs`): f64 8.8e-15, f32 and micromath 1.3e-6, f16 9.5e-3, fixed point 9.9e-9.

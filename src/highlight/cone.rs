@@ -25,18 +25,19 @@ use crate::vec3::zip;
 /// `D = 4 alpha^2 (v.h) / (pi (2 - w) sqrt(1 - k (m - phi)) sqrt(((2 - w) y + w) (g y + w)) (alpha^2 + k y^2 (m_d (1
 /// + A_d) / (y + A_d)^2 + m_o (1 + A_o) / (y + A_o)^2)))`,
 ///
-/// which is GGX for `w = 0`, where `y = alpha^2 z^2 + m`. The root is found by three steps that put one pole in place of
-/// the two, and by as many as change anything where the poles are four times apart (from about 60 degrees on). What the
-/// root lacks is below 7.8e-8 of the highlight, as a search has found (`tests/highlight_budget.rs`).
+/// which is GGX for `w = 0`, where `y = alpha^2 z^2 + m`. The root is found by three steps that put one pole in place
+/// of the two, and by as many as change anything where the poles are four times apart (from about 60 degrees on). What
+/// the root lacks is below 7.8e-8 of the highlight, as a search has found (`tests/highlight_budget.rs`).
 ///
 /// For `alpha = 0` the highlight is the sharp, elliptic image of the disc. For `x = 0` it is GGX; for both it is zero.
-/// Where the disc reaches to the viewer's opposite (`l.v <= w - 1`: for a ratio of 0.3 on from 81 degrees of incidence and
-/// reflection, for half the sky from 45), `g` would not be positive, and half vectors lie at right angles to `v`, which fit no
-/// cone. There `g` is kept at a 30 000th of `w` over `b^2 = alpha^2 + w/2`: all that is near the plane of incidence counts,
-/// however far across.
+/// Where the disc reaches to the viewer's opposite (`l.v <= w - 1`: for a ratio of 0.3 on from 81 degrees of incidence
+/// and reflection, for half the sky from 45), `g` would not be positive, and half vectors lie at right angles to `v`,
+/// which fit no cone. There `g` is kept at a 30 000th of `w` over `b^2 = alpha^2 + w/2`: all that is near the plane of
+/// incidence counts, however far across.
 ///
-/// Root mean square error of a whole pixel's arithmetic, relative, under the Sun (`trial::gloss`, `tests/gloss.rs`): for `alpha =
-/// 0.001` f32 1.1e-5, f16 0.093, I2F14 2.2e-3, I2F30 2.7e-8; for 0.0625 f32 3.4e-7, f16 2.8e-3, I2F14 1.7e-4, I2F30 2.8e-9.
+/// Root mean square error of a whole pixel's arithmetic, relative, under the Sun (`trial::gloss`, `tests/gloss.rs`):
+/// for `alpha = 0.001` f32 1.1e-5, f16 0.093, I2F14 2.2e-3, I2F30 2.7e-8; for 0.0625 f32 3.4e-7, f16 2.8e-3, I2F14
+/// 1.7e-4, I2F30 2.8e-9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeGgx<T: Real> {
     width: Width<T::Scalar>,
@@ -46,9 +47,9 @@ pub struct ConeGgx<T: Real> {
 /// between that and the point nearest to the mirror ray, the nearer to it the smaller the roughness is beside the
 /// disc. At the Sun the centre is good enough.
 ///
-/// That direction `m` is a little shorter than 1. `(v.h)^2 = (1 + m.v) / 2` is taken as `(|m + v|^2 + 1 - |m|^2) / 4`, the latter
-/// from how far apart the two are that `m` lies between, so that nothing cancels where the viewer is about opposite. Zero where
-/// `n.l + n.v` is not above it, which under almost half the sky is an edge.
+/// That direction `m` is a little shorter than 1. `(v.h)^2 = (1 + m.v) / 2` is taken as `(|m + v|^2 + 1 - |m|^2) / 4`,
+/// the latter from how far apart the two are that `m` lies between, so that nothing cancels where the viewer is about
+/// opposite. Zero where `n.l + n.v` is not above it, which under almost half the sky is an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShiftedConeGgx<T: Real> {
     cone: ConeGgx<T>,
@@ -267,8 +268,8 @@ impl<T: Real> Highlight<T> for ShiftedConeGgx<T> {
         let middle = T::diff(near, nearest, less_far, l);
         let [n_dot_m, n_dot_v] = [cosine(n, middle), cosine(n, v)];
         let visibility = smith(n_dot_m, n_dot_v, self.cone.width.alpha);
-        // The half vector of the middle: (v.h)^2, and 2 (v.h)^2 / (n.m + n.v), which is (v.h) / (n.h).
-        // (v.h)^2 = (1 + m.v) / 2, where nothing cancels: the middle is short by what the two that it is between are apart.
+        // The half vector of the middle: (v.h)^2, and 2 (v.h)^2 / (n.m + n.v), which is (v.h) / (n.h). (v.h)^2 = (1 +
+        // m.v) / 2, where nothing cancels: the middle is short by what the two that it is between are apart.
         let (sum, apart) = (zip(middle, v, T::add), zip(nearest, l, T::sub));
         let square = cosine(sum, sum) + cosine(apart, apart) * self.spread;
         let v_dot_h_square = square * T::Scalar::constant(QUARTER);

@@ -30,7 +30,8 @@ pub fn schlick<S: Scalar>(v_dot_h: S) -> S {
     square * square * rest
 }
 
-/// `(n.h)^2 = (n.l + n.v)^2 / (4 (v.h)^2)`, which no subtraction takes below zero; zero where `n.l + n.v` is not above it.
+/// `(n.h)^2 = (n.l + n.v)^2 / (4 (v.h)^2)`, which no subtraction takes below zero; zero where `n.l + n.v` is not above
+/// it.
 #[inline]
 pub(super) fn upright<S: Scalar>(n_dot_l: S, n_dot_v: S, v_dot_h_square: S) -> S {
     let half = (n_dot_l + n_dot_v) * S::constant(HALF);

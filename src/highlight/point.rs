@@ -18,8 +18,8 @@ use crate::sphere::DistantSphere;
 /// | [`karis_third`](Self::karis_third) | `alpha + x/3`, at most 1 |
 /// | [`exact_rp`](Self::exact_rp) | `sqrt(alpha^2 + (pi/4) alpha x + x^2 / 4)` |
 ///
-/// For `alpha = 0` the highlight is a sharp image of the disc, of radiance 0 in [`none`](Self::none) (its peak is infinite)
-/// and of the right one in the others.
+/// For `alpha = 0` the highlight is a sharp image of the disc, of radiance 0 in [`none`](Self::none) (its peak is
+/// infinite) and of the right one in the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointGgx<T: Real> {
     sphere: DistantSphere<T>,

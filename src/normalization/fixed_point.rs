@@ -87,8 +87,8 @@ pub fn inverse_size_factor_q30(ratio: I2F30) -> Result<U52F12, LightError> {
     if square == 0 { Ok(U52F12::ONE) } else { q12(quotient(INVERSE_PI_Q64 << 8, square.into())) }
 }
 
-/// Radiance of a light that is normalised to give `intensity` as illuminance: `intensity / size_factor`. Within 0.51 LSB
-/// (2^-12) of the quotient of its arguments. Takes sizeFactor so that it serves lights of every angle, see
+/// Radiance of a light that is normalised to give `intensity` as illuminance: `intensity / size_factor`. Within 0.51
+/// LSB (2^-12) of the quotient of its arguments. Takes sizeFactor so that it serves lights of every angle, see
 /// [`DistantLight::size_factor_q48`].
 ///
 /// # Errors

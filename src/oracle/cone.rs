@@ -68,8 +68,8 @@ pub fn overlap(a: f64, b: f64, distance: f64) -> f64 {
     (0..3).map(|i| smooth_integral(ring, ends[i], ends[i + 1])).sum()
 }
 
-/// How much of the ring at the angle `t` lies within `b` of a point that is `distance` away, in radians: the spherical law of
-/// cosines, in sines of halves so that it holds for small angles.
+/// How much of the ring at the angle `t` lies within `b` of a point that is `distance` away, in radians: the spherical
+/// law of cosines, in sines of halves so that it holds for small angles.
 fn arc(t: f64, b: f64, distance: f64) -> f64 {
     let half_square = |angle: f64| {
         let half = libm::sin(angle / 2.0);
@@ -128,8 +128,8 @@ pub fn solid_angle_by_area(x: f64, count: u32) -> f64 {
     (0..count).map(ring).sum()
 }
 
-/// Solid angle of what `sees` of the hemisphere about the z axis, as a sum over `count` by `4 count` cells of equal solid
-/// angle.
+/// Solid angle of what `sees` of the hemisphere about the z axis, as a sum over `count` by `4 count` cells of equal
+/// solid angle.
 pub fn solid_angle_by_hemisphere(count: u32, mut sees: impl FnMut(Vector) -> bool) -> f64 {
     let cell = |i: u32, parts: u32| (f64::from(i) + 0.5) / f64::from(parts);
     let mut seen = 0_u64;

@@ -35,10 +35,10 @@ impl Pixel {
         Self { n, v, l }
     }
 
-    /// The same with the light or the viewer moved by `distance`: in their plane, out of it and along themselves, to and
-    /// fro; with the normal moved as far towards their half vector, but not beyond it; and with the light moved towards the
-    /// mirror ray, likewise, and away from it; and with the light or the viewer moved so that the half vector comes nearer to the
-    /// normal.
+    /// The same with the light or the viewer moved by `distance`: in their plane, out of it and along themselves, to
+    /// and fro; with the normal moved as far towards their half vector, but not beyond it; and with the light moved
+    /// towards the mirror ray, likewise, and away from it; and with the light or the viewer moved so that the half
+    /// vector comes nearer to the normal.
     pub fn beside(&self, distance: f64) -> [Self; 17] {
         let &Self { n, v, l } = self;
         let about = |axis: Vector, toward: Vector| {
@@ -64,7 +64,8 @@ impl Pixel {
         at_most(apart, distance)
     }
 
-    /// How far the sum of the viewer and the disc's nearest point lies from the normal, which way, and at most `distance`.
+    /// How far the sum of the viewer and the disc's nearest point lies from the normal, which way, and at most
+    /// `distance`.
     pub fn off_the_normal(&self, ratio: f64, distance: f64) -> Vector {
         let nearest = nearest_in_disc(self.l, mirror(self), super::angular_radius(ratio));
         let sum = add(nearest, self.v);
@@ -79,8 +80,8 @@ fn at_most(vector: Vector, most: f64) -> Vector {
 }
 
 impl Glossy {
-    /// `D V F (n.l)` for a light in the single direction `l`: GGX and Smith by their tangents, `D = 1 / (pi alpha^2 cos^4
-    /// (1 + tan^2 / alpha^2)^2)`, `V = 1 / (4 (n.l) (n.v) (1 + L(v) + L(l)))`.
+    /// `D V F (n.l)` for a light in the single direction `l`: GGX and Smith by their tangents, `D = 1 / (pi alpha^2
+    /// cos^4 (1 + tan^2 / alpha^2)^2)`, `V = 1 / (4 (n.l) (n.v) (1 + L(v) + L(l)))`.
     pub fn brdf(&self, pixel: &Pixel) -> f64 {
         self.brdf_of_unit(&pixel.unit())
     }
@@ -204,8 +205,8 @@ impl Glossy {
 
     /// The share of the microfacets, by projected area, whose normals are in the cone of half vectors.
     ///
-    /// By the eigenvalues of the cone's quadratic form after slopes were divided by `alpha`: the vector irradiance of an
-    /// elliptic cone points along its axis.
+    /// By the eigenvalues of the cone's quadratic form after slopes were divided by `alpha`: the vector irradiance of
+    /// an elliptic cone points along its axis.
     fn share(&self, lean: &Lean) -> f64 {
         let w = self.versine();
         let (a, c) = (self.alpha * self.alpha, 2.0 - w);
@@ -267,8 +268,8 @@ impl Lean {
         let beside = add(l, scale(v, -1.0));
         let size = length(beside);
         let tilt = sine * sine;
-        // Of what of the normal is across the half vector, which for vectors that are not quite of one length is not at a
-        // right angle to their difference.
+        // Of what of the normal is across the half vector, which for vectors that are not quite of one length is not at
+        // a right angle to their difference.
         let part = (dot(n, beside) - dot(n, h) / dot(h, h) * dot(h, beside)) / size;
         let along = if size > 0.0 { (part * part).min(tilt) } else { tilt / 2.0 };
         Self { v_dot_h: length(h) / 2.0, upright: cosine * cosine, along, across: tilt - along }

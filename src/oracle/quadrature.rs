@@ -71,8 +71,9 @@ pub struct Lobe {
 impl<const N: usize> Quadrature<N> {
     /// The true highlight: `D V F (n.l)` averaged over the disc's projected area, `integral of brdf dw / (pi x^2)`.
     ///
-    /// In polar coordinates about the mirror ray, where GGX is steepest; the radius goes as the tangent of an angle, so that
-    /// the integrand is as smooth as a sine however narrow the lobe is. A disc that the horizon cuts is cut ray by ray.
+    /// In polar coordinates about the mirror ray, where GGX is steepest; the radius goes as the tangent of an angle, so
+    /// that the integrand is as smooth as a sine however narrow the lobe is. A disc that the horizon cuts is cut ray by
+    /// ray.
     pub fn highlight(&self, glossy: &Glossy, pixel: &Pixel) -> f64 {
         let pixel = pixel.unit();
         let n_dot_v = dot(pixel.n, pixel.v);
@@ -194,8 +195,8 @@ impl<'a> Rays<'a> {
         })
     }
 
-    /// The integral between two turns; as the ends may be tangents to the rim, where segments grow like a root, the turn
-    /// goes as a sine.
+    /// The integral between two turns; as the ends may be tangents to the rim, where segments grow like a root, the
+    /// turn goes as a sine.
     fn sector<const N: usize>(&self, rule: &Quadrature<N>, from: f64, to: f64) -> f64 {
         if to - from < 1e-12 {
             return 0.0;
@@ -237,8 +238,8 @@ impl<'a> Rays<'a> {
         })
     }
 
-    /// About how far the lobe reaches in the direction `outward`: half vectors turn half as far as the light in the plane
-    /// of incidence, and farther across.
+    /// About how far the lobe reaches in the direction `outward`: half vectors turn half as far as the light in the
+    /// plane of incidence, and farther across.
     fn width(&self, outward: Vector) -> f64 {
         let along = dot(outward, self.incidence);
         let across = (1.0 - along * along).max(0.0);

@@ -4,8 +4,8 @@ use core::fmt;
 
 use crate::real::Scalar;
 
-/// Why a lamp, or a quantity of it, could not be made; holds the value in its own format, so that integer-only code stays
-/// so, and displays the range allowed.
+/// Why a lamp, or a quantity of it, could not be made; holds the value in its own format, so that integer-only code
+/// stays so, and displays the range allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RadiometryError<S> {

@@ -13,9 +13,10 @@ const SUN_RATIO: Constant = Constant::new(SOLAR_RADIUS_KM / ASTRONOMICAL_UNIT_KM
 /// from `distance` have exactly the light's colour.
 ///
 /// The normalised form is the colour itself, which every format holds: what a facing white surface shows. The radiance
-/// is `(distance / radius)^2` times that, 46 239 for a sphere that looks like the Sun: over the top of a signed Q16.16 and
-/// just within U16F16 and f16, while the Sun from Mars (107 352) is in neither. Hence [`SphereLight::radiance`] may fail
-/// where the light itself is fine. Shading that multiplies the radiance by the disc's `sin^2` again needs the colour only.
+/// is `(distance / radius)^2` times that, 46 239 for a sphere that looks like the Sun: over the top of a signed Q16.16
+/// and just within U16F16 and f16, while the Sun from Mars (107 352) is in neither. Hence [`SphereLight::radiance`] may
+/// fail where the light itself is fine. Shading that multiplies the radiance by the disc's `sin^2` again needs the
+/// colour only.
 ///
 /// Surfaces elsewhere see the inverse square of their own distance, as they should of a lamp; for a directional light
 /// choose a great distance.
@@ -38,8 +39,8 @@ pub struct SphereLight<S> {
 }
 
 impl<S: Scalar> SphereLight<S> {
-    /// A point light at `position` of the `colour` that it gives a white surface at `target`; any small `radius`, in the
-    /// same unit, will do.
+    /// A point light at `position` of the `colour` that it gives a white surface at `target`; any small `radius`, in
+    /// the same unit, will do.
     ///
     /// # Errors
     /// [`RadiometryError::Length`] where the radius, or the distance of the two positions, is not positive and finite;

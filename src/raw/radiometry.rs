@@ -3,14 +3,14 @@
 use crate::radiometry::{self, RadiometryError};
 use crate::real::Scaled;
 
-/// [`irradiance`](radiometry::irradiance) by a point: intensity in W/sr in Q16, cosine in Q14, distance in metres in Q16;
-/// answer in W/m^2 in Q16, at most its greatest number. Within half an LSB and 2.1e-9 of the answer.
+/// [`irradiance`](radiometry::irradiance) by a point: intensity in W/sr in Q16, cosine in Q14, distance in metres in
+/// Q16; answer in W/m^2 in Q16, at most its greatest number. Within half an LSB and 2.1e-9 of the answer.
 pub fn irradiance_q16(intensity: u32, cos: i16, distance: u32) -> u32 {
     bits(radiometry::irradiance(q16(intensity), Scaled::from_bits(cos.into(), -14), q16(distance)))
 }
 
-/// [`diffuse_radiance`](radiometry::diffuse_radiance) of a matt surface, `rho E / pi`: albedo in Q14, irradiance and answer
-/// in Q16; zero for a negative albedo. Within half an LSB and 1.3e-9 of the answer.
+/// [`diffuse_radiance`](radiometry::diffuse_radiance) of a matt surface, `rho E / pi`: albedo in Q14, irradiance and
+/// answer in Q16; zero for a negative albedo. Within half an LSB and 1.3e-9 of the answer.
 pub fn diffuse_radiance_q16(albedo: i16, irradiance: u32) -> u32 {
     bits(radiometry::diffuse_radiance(Scaled::from_bits(albedo.into(), -14), q16(irradiance)))
 }

@@ -21,10 +21,12 @@ pub type LampQ14 = Lamp<I2F14>;
 /// A light where it stands, for Q30 vectors.
 pub type LampQ30 = Lamp<I2F30>;
 
-/// A material under up to `LIGHTS` lights, for Q14 vectors; its highlights are [`ConeGgx`] unless another type is named.
+/// A material under up to `LIGHTS` lights, for Q14 vectors; its highlights are [`ConeGgx`] unless another type is
+/// named.
 pub type SceneQ14<const LIGHTS: usize, H = ConeGgx<I2F14>> = Scene<I2F14, LIGHTS, H>;
 
-/// A material under up to `LIGHTS` lights, for Q30 vectors; its highlights are [`ConeGgx`] unless another type is named.
+/// A material under up to `LIGHTS` lights, for Q30 vectors; its highlights are [`ConeGgx`] unless another type is
+/// named.
 pub type SceneQ30<const LIGHTS: usize, H = ConeGgx<I2F30>> = Scene<I2F30, LIGHTS, H>;
 
 /// [`Surface::new`] from numbers in Q30 (1073741824 is 1), for a material that changes at run time.

@@ -146,8 +146,8 @@ pub(crate) const fn wide_i32<const FRACTION: u32>(value: f64) -> i32 {
     }
 }
 
-// A macro, since the blanket implementation for floats leaves no room for a second generic one: the compiler cannot rule
-// out that somebody makes `FixedI32<TheirFraction>` a `Float`.
+// A macro, since the blanket implementation for floats leaves no room for a second generic one: the compiler cannot
+// rule out that somebody makes `FixedI32<TheirFraction>` a `Float`.
 macro_rules! fixed_point {
     ($format:ty, $name:literal, $lane:ty, $wide:ty, $unsigned:ty, $level:ty, $fraction:literal, $constant:path) => {
         impl Lane for $format {

@@ -17,8 +17,8 @@ pub trait Float: Scalar {
     /// stays a normal number. 1 where the format's exponent is wide enough.
     const SCALE: Self;
 
-    /// A power of two. Radius over distance is divided by its square where it is below it, before it is squared, so that no
-    /// digit of the square is lost to underflow, and neither overflow where the answer does not.
+    /// A power of two. Radius over distance is divided by its square where it is below it, before it is squared, so
+    /// that no digit of the square is lost to underflow, and neither overflow where the answer does not.
     const TINY: Self;
 
     /// Squared lengths that have lost nothing to overflow or underflow: [`Real::normalize`] rescales beyond them.

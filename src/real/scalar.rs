@@ -22,8 +22,8 @@ pub trait Scalar:
     /// The greatest finite number.
     const MAX: Self;
 
-    /// A power of two and one over it: neither numbers between them nor their reciprocals, times a number about 1, leave
-    /// the format's range, subnormal numbers included. None where no number of a formula can leave it.
+    /// A power of two and one over it: neither numbers between them nor their reciprocals, times a number about 1,
+    /// leave the format's range, subnormal numbers included. None where no number of a formula can leave it.
     const NEAR_ONE: Option<[Constant; 2]>;
 
     /// The nearest value of the format.
@@ -38,8 +38,8 @@ pub trait Scalar:
     /// The square root; zero for zero, NaN or zero for negatives.
     fn root(self) -> Self;
 
-    /// `sqrt(a^2 + b^2)` of numbers that are not negative. Without their squares, which in a format of few exponents may
-    /// leave its range; formats that have enough of them add the squares.
+    /// `sqrt(a^2 + b^2)` of numbers that are not negative. Without their squares, which in a format of few exponents
+    /// may leave its range; formats that have enough of them add the squares.
     #[inline]
     fn hypotenuse(a: Self, b: Self) -> Self {
         let (great, small) = if a > b { (a, b) } else { (b, a) };

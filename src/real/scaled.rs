@@ -10,9 +10,9 @@ use crate::root::fraction_of_reciprocal_root;
 /// A 31-bit mantissa and a sign, Q31 in [1/2, 1), times a power of two. Integer arithmetic alone.
 ///
 /// Sums and products are rounded to nearest: within 0.5 units of the last place, which is `2^-30` of the value or less.
-/// Quotients and roots are within 0.77, by and of a power of two exact (`tests/scaled.rs`, `tests/exhaustive.rs`). There is no NaN and no
-/// infinity: what is divided by zero is [`Scalar::MAX`] or its negative (zero for zero), and the root of a negative
-/// number is zero.
+/// Quotients and roots are within 0.77, by and of a power of two exact (`tests/scaled.rs`, `tests/exhaustive.rs`).
+/// There is no NaN and no infinity: what is divided by zero is [`Scalar::MAX`] or its negative (zero for zero), and the
+/// root of a negative number is zero.
 ///
 /// Exponents have 32 bits. `MAX` is `2^(2^20)`, a thousand times the exponent of f64's greatest number; it takes
 /// eleven squarings of it in a row to leave the range, upon which exponents wrap. Numbers below `2^-(2^24)` may
@@ -119,7 +119,8 @@ impl Scaled {
         Self { mantissa: self.mantissa.wrapping_neg(), ..self }
     }
 
-    /// The mantissa times 1 and a `fraction` in Q32, which together are 33 bits: Q62, and more than its last bit is not lost.
+    /// The mantissa times 1 and a `fraction` in Q32, which together are 33 bits: Q62, and more than its last bit is not
+    /// lost.
     #[inline]
     fn times_one_and(self, fraction: u32) -> i64 {
         let mantissa = i64::from(self.mantissa);

@@ -95,8 +95,8 @@ pub fn spectral<S: WideRange>(law: Law, at: S, temperature: S) -> S {
 /// Wavelengths in metres and frequencies in hertz at which the laws in SI units are judged.
 pub const DOMAIN: [[f64; 2]; 2] = [[1e-8, 100.0], [3e6, 3e16]];
 
-/// Relative error of the law in SI units over one more than the exponent, from 10 to 1e6 K, where the answer is a normal
-/// number of f32.
+/// Relative error of the law in SI units over one more than the exponent, from 10 to 1e6 K, where the answer is a
+/// normal number of f32.
 pub fn spectral_error<S: WideRange>(law: Law, seed: u64, count: usize) -> Found {
     found(seed, count, [DOMAIN[law as usize], [10.0, 1e6]], |input| {
         let [at, temperature] = input.map(S::nearest);

@@ -1,11 +1,11 @@
 //! Error budgets of the direction methods: the worst arithmetic error in radians, against the exact value of the
 //! method's own formula at the rounded inputs.
 //!
-//! Each is 1.12 times the worst that a search has found, rounded up to two digits. The [search](super::search) tries over
-//! a million inputs for each and climbs from random, hard and almost opposite directions to those that all roundings work
-//! against; [`worst`](super::worst) has what it found, and `tests/search.rs` ties every budget here to that. In f64 the
-//! oracle's own rounding counts as the method's; `tests/oracle.rs` holds `cap` and `factored` there to their budgets
-//! against 192 bits too.
+//! Each is 1.12 times the worst that a search has found, rounded up to two digits. The [search](super::search) tries
+//! over a million inputs for each and climbs from random, hard and almost opposite directions to those that all
+//! roundings work against; [`worst`](super::worst) has what it found, and `tests/search.rs` ties every budget here to
+//! that. In f64 the oracle's own rounding counts as the method's; `tests/oracle.rs` holds `cap` and `factored` there to
+//! their budgets against 192 bits too.
 //!
 //! Excluded are pairs for which the formula has no one answer: `r` within one step of the format of `-l`, where all
 //! of the rim is as near (at the Sun `cap` holds there as well, in f16 from a tenth of a step), and representative
@@ -96,8 +96,8 @@ pub fn cap_length(format: Format, theta: f64) -> f64 {
     CAP_LENGTH[usize::from(theta > HALVES[0].to)][format as usize]
 }
 
-/// How far beyond the rim the answer of `cap` may lie, in units of the disc's sine, where `r` is within a step of the format
-/// of `-l`: there the tangent's lanes are subnormal in f16, and what of them is along `l` is rounded with them.
+/// How far beyond the rim the answer of `cap` may lie, in units of the disc's sine, where `r` is within a step of the
+/// format of `-l`: there the tangent's lanes are subnormal in f16, and what of them is along `l` is rounded with them.
 pub fn cap_beyond_the_rim(format: Format) -> f64 {
     if format == Format::F16 { 2.3e-2 } else { 0.0 }
 }

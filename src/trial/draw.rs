@@ -8,8 +8,8 @@ use crate::light::{DistantLight, SUN};
 
 /// Reads a case off bytes, one number after the other; beyond their end all are zero.
 ///
-/// A case is the same on every machine and in every version of this file, or the corpus would lose its meaning: add kinds
-/// at the end of a list that is chosen from, and only while that stays within a power of two.
+/// A case is the same on every machine and in every version of this file, or the corpus would lose its meaning: add
+/// kinds at the end of a list that is chosen from, and only while that stays within a power of two.
 #[derive(Clone, Debug)]
 pub struct Draw<'a> {
     bytes: &'a [u8],
@@ -100,8 +100,8 @@ impl<'a> Draw<'a> {
         turned(l, aside, angle)
     }
 
-    /// A direction beside `l` where a disc of angular radius `theta` is hard: inside, about and beside the rim, at a right
-    /// angle, beside `-l`, the same and the opposite direction, and anywhere.
+    /// A direction beside `l` where a disc of angular radius `theta` is hard: inside, about and beside the rim, at a
+    /// right angle, beside `-l`, the same and the opposite direction, and anywhere.
     pub fn beside(&mut self, l: [f64; 3], theta: f64) -> [f64; 3] {
         let angle = match self.byte() % 8 {
             0 => self.between(0.0, PI),

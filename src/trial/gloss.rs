@@ -59,8 +59,8 @@ impl Case {
         Glossy { alpha: rounded(self.alpha), f0: rounded(F0), ratio: self.light.sin() }
     }
 
-    /// `count` random pixels: incidence up to 75 degrees, the mirror ray from a hundredth to ten times the highlight's width
-    /// off the light's centre, evenly in the logarithm, the viewer at least 3 degrees above the surface, and all
+    /// `count` random pixels: incidence up to 75 degrees, the mirror ray from a hundredth to ten times the highlight's
+    /// width off the light's centre, evenly in the logarithm, the viewer at least 3 degrees above the surface, and all
     /// of it turned at random.
     pub fn pixels(&self, seed: u64, count: usize) -> impl Iterator<Item = Pixel> + use<> {
         let mut source = Rand64::new(u128::from(seed));
@@ -103,7 +103,8 @@ fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
     diffuse(case, pixel, albedo) + PI * shading.truth(&case.glossy::<T>(), pixel)
 }
 
-/// Relative arithmetic error of whole pixels: computed against the exact value of the method's formula at the rounded inputs.
+/// Relative arithmetic error of whole pixels: computed against the exact value of the method's formula at the rounded
+/// inputs.
 pub fn arithmetic<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item = Pixel>) -> Found<9> {
     let mut found = Found::new();
     for pixel in pixels {
@@ -144,7 +145,8 @@ pub fn input<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item 
 }
 
 /// Relative error of the methods' formulas themselves, in the order of [`Shading::ALL`]: their exact values against the
-/// BRDF integrated over the disc. All at once, since the integral, which takes nearly all of the time, is the same for each.
+/// BRDF integrated over the disc. All at once, since the integral, which takes nearly all of the time, is the same for
+/// each.
 pub fn models<const N: usize>(
     case: &Case,
     pixels: impl Iterator<Item = Pixel>,
@@ -194,7 +196,8 @@ const FAMILIES: usize = 6;
 type Formats = [f64; 7];
 
 /// Greatest relative arithmetic error of [`arithmetic`], by [`family`], case and format: 1.12 times the worst of 50 000
-/// pixels from each of the seeds 1 to 3, rounded up to two digits (an ignored test of `tests/gloss.rs` prints it again).
+/// pixels from each of the seeds 1 to 3, rounded up to two digits (an ignored test of `tests/gloss.rs` prints it
+/// again).
 pub const MAXIMA: [[Formats; CASES.len()]; FAMILIES] = [
     [
         [1.3e-12, 3.0e-4, 2.8e-4, 2.8e0, 8.4e-1, 5.2e-6, 8.4e-1],

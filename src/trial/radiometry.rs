@@ -1,7 +1,7 @@
 //! Radiometry: every formula in every format against its definition in twice f64's digits, with its error budgets.
 //!
-//! Each budget is 1.12 times the worst relative error of 100 000 random inputs from each of three seeds, rounded up to two
-//! digits; an ignored test of `tests/radiometry.rs` prints them again.
+//! Each budget is 1.12 times the worst relative error of 100 000 random inputs from each of three seeds, rounded up to
+//! two digits; an ignored test of `tests/radiometry.rs` prints them again.
 
 use oorandom::Rand64;
 
@@ -109,8 +109,8 @@ impl Formula {
         }
     }
 
-    /// Relative error, over levels from 0.001 to 10 000 and cosines from 0.01 to 1 as the format holds them, with answers
-    /// from 1e-4 to 6e4, and spheres not larger than their distance.
+    /// Relative error, over levels from 0.001 to 10 000 and cosines from 0.01 to 1 as the format holds them, with
+    /// answers from 1e-4 to 6e4, and spheres not larger than their distance.
     pub fn error<T: Real>(self, seed: u64, count: usize) -> Found {
         let mut source = Rand64::new(u128::from(seed));
         let mut found = Found::new();

@@ -1,7 +1,7 @@
 //! The sampling of a light's disc against the definition: what is measured, and the budgets.
 //!
-//! Budgets are for f64, f32, micromath, f16, I2F14, I2F30 and I16F16: 1.12 times the worst of the seeds 1 to 3 with 100 000
-//! inputs each, rounded up to two digits; an ignored test of `tests/sampling.rs` prints them again.
+//! Budgets are for f64, f32, micromath, f16, I2F14, I2F30 and I16F16: 1.12 times the worst of the seeds 1 to 3 with 100
+//! 000 inputs each, rounded up to two digits; an ignored test of `tests/sampling.rs` prints them again.
 
 use oorandom::Rand64;
 

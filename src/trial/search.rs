@@ -1,8 +1,8 @@
 //! A hard search for the worst input of a method: random directions and known hard ones, then uphill from each.
 //!
-//! Random inputs miss what only a few of them reach: all lanes rounded the worst way at once, the mirror ray a step from
-//! where the formula ends. A climb finds that from nearby. It moves lanes by single steps of the format and more, and
-//! turns the directions before they are rounded.
+//! Random inputs miss what only a few of them reach: all lanes rounded the worst way at once, the mirror ray a step
+//! from where the formula ends. A climb finds that from nearby. It moves lanes by single steps of the format and more,
+//! and turns the directions before they are rounded.
 
 use core::f64::consts::PI;
 

@@ -83,8 +83,8 @@ impl Shading {
         self.truth_beside(glossy, &pixel.unit(), [0.0; 3])
     }
 
-    /// The same for vectors that are of length 1 or nearly so, whatever that makes of the formula, and with the point of
-    /// the disc that the method finds, if it does, moved by `offset`.
+    /// The same for vectors that are of length 1 or nearly so, whatever that makes of the formula, and with the point
+    /// of the disc that the method finds, if it does, moved by `offset`.
     pub fn truth_beside(self, glossy: &Glossy, pixel: &Pixel, offset: [f64; 3]) -> f64 {
         let Glossy { alpha, ratio, .. } = *glossy;
         match self {

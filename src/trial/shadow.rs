@@ -38,11 +38,11 @@ pub const COUNTS: [u32; 5] = [16, 64, 256, 1024, 65536];
 /// The lights that are tried.
 pub const LIGHTS: [Light; 3] = [BUDGETED[0], BUDGETED[2], BUDGETED[3]];
 
-/// Worst error with `count` directions under the light at `light` in [`LIGHTS`]: `2 count^-0.75`, which the points make,
-/// and what the format makes of a disc that is few of its steps wide, however many the directions.
+/// Worst error with `count` directions under the light at `light` in [`LIGHTS`]: `2 count^-0.75`, which the points
+/// make, and what the format makes of a disc that is few of its steps wide, however many the directions.
 ///
-/// Twice is 1.12 times the worst of 400 scenes for each occluder, number up to 1024 and light, 1.7, rounded up; the rest
-/// is 1.12 times what the worst of 40 scenes with 65 536 directions, or those of fewer, have beyond that.
+/// Twice is 1.12 times the worst of 400 scenes for each occluder, number up to 1024 and light, 1.7, rounded up; the
+/// rest is 1.12 times what the worst of 40 scenes with 65 536 directions, or those of fewer, have beyond that.
 pub fn budget(format: Format, light: usize, count: u32) -> f64 {
     let rest = FLOORS.get(light).map_or(0.0, |floors| floors[format as usize]);
     2.0 * libm::pow(count.into(), -0.75) + rest
@@ -62,8 +62,8 @@ struct Scene {
     centre: [f64; 3],
 }
 
-/// Error of the visible share under `light` with `count` directions, over `scenes` scenes; in those of [`Occluder::Horizon`]
-/// that of the mean cosine too, as a share of the greatest cosine there.
+/// Error of the visible share under `light` with `count` directions, over `scenes` scenes; in those of
+/// [`Occluder::Horizon`] that of the mean cosine too, as a share of the greatest cosine there.
 pub fn error<T: Real>(light: &DistantLight, occluder: Occluder, count: u32, seed: u64, scenes: usize) -> Found {
     let sphere = DistantSphere::<T>::of(light);
     let theta = light.angular_radius();

@@ -12,9 +12,9 @@ pub fn format<T: Real>() -> Format {
     Format::ALL.into_iter().find(|format| format.name() == T::NAME).unwrap()
 }
 
-/// A format whose unit vectors (with `SUMS` its differences and its single lanes too) are off by `STEPS` steps of the format
-/// in their first lane, and its light levels by as many of their last places: in fixed point of the coarser of a level's
-/// step and the last of 31 digits.
+/// A format whose unit vectors (with `SUMS` its differences and its single lanes too) are off by `STEPS` steps of the
+/// format in their first lane, and its light levels by as many of their last places: in fixed point of the coarser of a
+/// level's step and the last of 31 digits.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Off<T, const STEPS: u8, const SUMS: bool = false>(pub T);
 

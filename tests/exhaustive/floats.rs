@@ -143,7 +143,8 @@ pub fn root<T: Bits>(bits: u64) -> f64 {
     }
 }
 
-/// The greater error of sine and cosine in steps of the numbers just below 1, for turns from 0 to 1 in the lanes of a format.
+/// The greater error of sine and cosine in steps of the numbers just below 1, for turns from 0 to 1 in the lanes of a
+/// format.
 pub fn turn<T: Real>(turn: T, step: f64) -> f64 {
     let [sin, cos] = sin_cos(T::of_lane(turn)).map(|value| T::lane(value).to_f64());
     let [sine, cosine] = <[f64; 2]>::from((2.0 * PI * turn.to_f64()).sin_cos());

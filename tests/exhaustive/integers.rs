@@ -1,5 +1,5 @@
-//! Errors of 64-bit answers, in their last places, to six digits and more: the residual of the defining equation is exact in
-//! 128 bits, and f64 only divides it.
+//! Errors of 64-bit answers, in their last places, to six digits and more: the residual of the defining equation is
+//! exact in 128 bits, and f64 only divides it.
 
 /// Ratio bits of 1.
 const ONE: u64 = 1 << 30;

@@ -73,8 +73,8 @@ fn mantissas() -> Vec<Kernel> {
             // From 1 to 2 the last place is 2^-30.
             quotient.to_unsigned(30) as f64 - TWO_32 / 2.0 * (TWO_32 / 4.0) / m as f64
         }),
-        // Half a unit, and the reciprocal's error in units of the quotient, which are finest where that is just under a power
-        // of two; no dividend can be worse.
+        // Half a unit, and the reciprocal's error in units of the quotient, which are finest where that is just under a
+        // power of two; no dividend can be worse.
         kernel(["quotient, any dividend", "Scaled", "ULP"], [least, half], 0.77, move |m| {
             0.5 + reciprocal(m).abs() * (m as f64 / TWO_32)
         }),
@@ -226,7 +226,8 @@ fn planck() -> Vec<Kernel> {
         f64::from(answer) - truth * f64::from(1 << 30)
     };
     let mut kernels = vec![];
-    // From 2^-16 to 2^16: on either side the answers are too small for the absolute error to count, or it falls with them.
+    // From 2^-16 to 2^16: on either side the answers are too small for the absolute error to count, or it falls with
+    // them.
     let span = [2.0_f32.powi(-16), 65_536.0].map(|ratio| u64::from(ratio.to_bits()));
     // Up to 1024: beyond, the laws are below 3e-2 of Q30's last bit.
     let last = (1 << 26) - 1;

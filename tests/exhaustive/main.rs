@@ -1,9 +1,10 @@
-//! Every kernel of one argument over every input that its format has, those of two short arguments over all pairs, and the
-//! worst cases that were found.
+//! Every kernel of one argument over every input that its format has, those of two short arguments over all pairs, and
+//! the worst cases that were found.
 //!
-//! `cargo test` tries the recorded worst inputs again. All inputs, half an hour on two cores:
-//! `cargo test --release --test exhaustive -- --ignored --nocapture --test-threads 1`; `SUNGLINT_RECORD=1` prints lines for
-//! `tests/worst/kernels.csv` (the day is to be put in place of the time taken) and does not ask for those that are there.
+//! `cargo test` tries the recorded worst inputs again. All inputs, half an hour on two cores: `cargo test --release
+//! --test exhaustive -- --ignored --nocapture --test-threads 1`; `SUNGLINT_RECORD=1` prints lines for
+//! `tests/worst/kernels.csv` (the day is to be put in place of the time taken) and does not ask for those that are
+//! there.
 
 #[path = "../exact/mod.rs"]
 mod exact;

@@ -1,5 +1,5 @@
-//! What a call costs: its time over the time of f32 `factored` in the same round, contenders interleaved. The time of an
-//! empty call, which loads the same inputs and stores one of them, is taken off both.
+//! What a call costs: its time over the time of f32 `factored` in the same round, contenders interleaved. The time of
+//! an empty call, which loads the same inputs and stores one of them, is taken off both.
 //!
 //! Directions, whole pixels and building blocks are all in that one unit, so that their costs can be added up and
 //! their charts laid side by side.
@@ -82,7 +82,8 @@ pub fn costs(contenders: &[Contender], baseline: &Contender, rounds: usize, prog
 }
 
 impl Contender {
-    /// What a call takes beyond an empty one, which is less than nothing if the processor hides the call behind the stores.
+    /// What a call takes beyond an empty one, which is less than nothing if the processor hides the call behind the
+    /// stores.
     fn seconds(&self) -> f64 {
         let call = time(&self.call).as_secs_f64();
         let empty = time(&self.empty).as_secs_f64();

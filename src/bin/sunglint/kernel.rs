@@ -1,7 +1,7 @@
 //! Building blocks as a list: functions that are part of a lit pixel, or of the light that it is lit by.
 //!
-//! To add one: a variant of [`Kernel`], its name, group, unit, inputs and what its error means, its errors and its calls.
-//! Table, chart and clock then have it.
+//! To add one: a variant of [`Kernel`], its name, group, unit, inputs and what its error means, its errors and its
+//! calls. Table, chart and clock then have it.
 
 mod calls;
 mod group;

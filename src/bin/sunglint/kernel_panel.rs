@@ -8,8 +8,8 @@ use crate::mean::Mean;
 use crate::number;
 use crate::result::KernelRow;
 
-/// One error of `rows`, which are all of one building block. Where each format has a unit of its own, as a last place is,
-/// no format is more exact than another, and there is no frontier.
+/// One error of `rows`, which are all of one building block. Where each format has a unit of its own, as a last place
+/// is, no format is more exact than another, and there is no frontier.
 pub fn field(rows: &[&KernelRow], mean: Mean) -> Field {
     let standing = |row: &&KernelRow| Standing { cost: row.cost, error: error(row, mean), works: true };
     let on_frontier = frontier::members(rows, |_| String::new(), standing);

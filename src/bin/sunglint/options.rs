@@ -17,7 +17,8 @@ pub struct Options {
     #[arg(long, value_name = "DIR", default_value = "target/sunglint")]
     pub out: PathBuf,
 
-    /// Try fewer directions and pixels, with coarser integrals: four seconds in place of some thirty, less of the worst cases
+    /// Try fewer directions and pixels, with coarser integrals: four seconds in place of some thirty, less of the worst
+    /// cases
     #[arg(long)]
     pub quick: bool,
 

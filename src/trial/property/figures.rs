@@ -5,8 +5,8 @@ use super::{Broken, Case};
 
 /// A budgeted error: its name, and its budgets in f64, f32, micromath, f16, I2F14, I2F30 and I16F16.
 ///
-/// Each is 1.12 times the worst that `tests/figures.rs` finds with draws and an ascent on their bytes, rounded up to two
-/// digits; zero where nothing but zero was found.
+/// Each is 1.12 times the worst that `tests/figures.rs` finds with draws and an ascent on their bytes, rounded up to
+/// two digits; zero where nothing but zero was found.
 pub type Row = (&'static str, [f64; 7]);
 
 /// Errors of one case, each beside the number of its row.

@@ -107,8 +107,8 @@ impl Visitor for Exact {
         let Self { method, surface: Surface { light, alpha, f0 }, pixel: Pixel { n, v, l } } = self;
         let rounded = |value: f64| T::Scalar::nearest(value).exact();
         let sphere = DistantSphere::of(&light);
-        // As the format holds it: I2F14 in steps of 2^-28, a 270th of a ratio of a millionth. That of a wide disc hardly says how
-        // wide it is; the cosine does.
+        // As the format holds it: I2F14 in steps of 2^-28, a 270th of a ratio of a millionth. That of a wide disc
+        // hardly says how wide it is; the cosine does.
         let ratio = if light.sin() < 0.5 { T::scalar(sphere.sin()).exact() } else { light.sin() };
         let glossy = Glossy { alpha: rounded(alpha), f0: rounded(f0), ratio };
         let lanes = [n, v, l].map(|vector| vector.map(T::from_f64));
@@ -123,8 +123,8 @@ fn format_of<T: Real>() -> Format {
     Format::ALL.into_iter().find(|format| format.name() == T::NAME).unwrap_or(Format::F64)
 }
 
-/// Any light, any roughness from 0 to 1, and vectors of any bits or of any direction: numbers all the same, and none where
-/// there is nothing to see.
+/// Any light, any roughness from 0 to 1, and vectors of any bits or of any direction: numbers all the same, and none
+/// where there is nothing to see.
 fn total(draw: &mut Draw<'_>, format: Format, method: Shading) -> Result<(), Broken> {
     let light = draw.light();
     let alpha = match draw.byte() % 4 {

@@ -1,4 +1,5 @@
-//! Normalisation: solid angle, sizeFactor, radiance, in floats and in integers; and the lights themselves, of any f64 bits.
+//! Normalisation: solid angle, sizeFactor, radiance, in floats and in integers; and the lights themselves, of any f64
+//! bits.
 
 mod floats;
 mod integers;
@@ -22,8 +23,8 @@ pub fn hold(draw: &mut Draw<'_>) -> Result<(), Broken> {
     claims(draw, &mut |case, (property, found, allowed)| case.at_most(property, found, allowed))
 }
 
-/// Reads a case and claims what should hold for it, one claim after the other; `tests/property_normalization.rs` asks how
-/// near the claims come to what is allowed.
+/// Reads a case and claims what should hold for it, one claim after the other; `tests/property_normalization.rs` asks
+/// how near the claims come to what is allowed.
 ///
 /// # Errors
 /// The first of `judge`.

@@ -26,8 +26,8 @@ fn monotonic<T: Real>(one: &Given<T>, other: &Given<T>) -> Result<(), Broken> {
     one.case.at_most("cap turns the further the farther r is", fall, one.twice(Method::Cap))
 }
 
-/// Two mirror directions a step apart have answers no farther apart than the exact ones, and the budgets: also where one is
-/// inside the disc and the other outside.
+/// Two mirror directions a step apart have answers no farther apart than the exact ones, and the budgets: also where
+/// one is inside the disc and the other outside.
 fn continuous<T: Real>(one: &Given<T>, other: &Given<T>) -> Result<(), Broken> {
     if !one.defined(Method::Cap) || !other.defined(Method::Cap) {
         return Ok(());

@@ -18,7 +18,8 @@ pub(super) fn hold<T: Real>(given: &Given<T>, choice: u8) -> Result<(), Broken> 
     under(given, "a case with its axes exchanged has the same answer, exchanged", fixed, exchange)
 }
 
-/// The sign of `r` does not matter to `factored`. Where its cosine has more than 31 bits, halves of them are rounded upwards.
+/// The sign of `r` does not matter to `factored`. Where its cosine has more than 31 bits, halves of them are rounded
+/// upwards.
 fn even<T: Real>(given: &Given<T>) -> Result<(), Broken> {
     if !given.is_sphere() {
         return Ok(());

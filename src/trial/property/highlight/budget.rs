@@ -2,8 +2,8 @@
 //!
 //! A method's answer is its formula's exact value at directions and lengths that lie at most [`reach`] beside the given
 //! ones, but for a share of [`STEPS`] steps of the format (of the value, or of white where that is more) and for what
-//! [`ROOT`] says. So nothing is added to what a few steps in the inputs' last places would do: where the formula is steep (at
-//! the rim of a disc, on a polish, at grazing incidence), the answer is as good as the directions are.
+//! [`ROOT`] says. So nothing is added to what a few steps in the inputs' last places would do: where the formula is
+//! steep (at the rim of a disc, on a polish, at grazing incidence), the answer is as good as the directions are.
 //!
 //! White, radiance over illuminance of `1/pi`, is what a matt white surface shows that faces the light.
 
@@ -36,8 +36,8 @@ pub fn reach(format: Format) -> f64 {
 /// The least share of steps that says something: what rounding the answer itself may make.
 pub const ROUNDING: f64 = 1.0;
 
-/// What is allowed beside that, in steps, by [`family`] and format: 1.12 times what a search finds, or [`ROUNDING`] where it
-/// finds less, for then the directions beside the given ones explain it all (`tests/highlight_budget.rs`).
+/// What is allowed beside that, in steps, by [`family`] and format: 1.12 times what a search finds, or [`ROUNDING`]
+/// where it finds less, for then the directions beside the given ones explain it all (`tests/highlight_budget.rs`).
 pub const STEPS: [[f64; 7]; 6] = [
     [22.0, 13.0, 1.0, 4.6, 1.0, 4.2, 1.0],
     [30.0, 18.0, 1.3, 7.5, 1.0, 4.4, 1.0],
@@ -47,8 +47,8 @@ pub const STEPS: [[f64; 7]; 6] = [
     [1.0, 3.8, 1.0, 72.0, 1.0, 1.0, 1.0],
 ];
 
-/// What the cone's root lacks, or the oracle's, which is of a cubic whose coefficients cancel: a share of the value, or of the
-/// brightest that a normal shows between the same viewer and light. Steps without end find no other.
+/// What the cone's root lacks, or the oracle's, which is of a cubic whose coefficients cancel: a share of the value, or
+/// of the brightest that a normal shows between the same viewer and light. Steps without end find no other.
 pub const ROOT: f64 = 7.8e-8;
 
 /// How far the sum of viewer and light is above the surface at least, where the oracle can tell what a cone shows.
@@ -84,9 +84,9 @@ impl Lit {
         self.method.truth(&self.glossy, &self.pixel)
     }
 
-    /// Whether the formula says anything: not where the viewer, within four times the [`reach`], is not above the surface or is
-    /// opposite to the light, nor where all of a disc's rim is as near to the mirror ray, nor of a cone whose half vector is about in
-    /// the surface.
+    /// Whether the formula says anything: not where the viewer, within four times the [`reach`], is not above the
+    /// surface or is opposite to the light, nor where all of a disc's rim is as near to the mirror ray, nor of a cone
+    /// whose half vector is about in the surface.
     ///
     /// The viewer is 2^-14 above it at least, since below that every highlight is zero.
     pub fn is_defined(&self) -> bool {
@@ -116,8 +116,8 @@ impl Lit {
         Allowance { change, unit: (truth + change).max(FRAC_1_PI), root: root + self.beyond(&pixel) }
     }
 
-    /// The method's point of the disc moved to either side of every axis, towards the mirror ray, and so that the half vector
-    /// comes nearer to the normal, where between the former a narrow highlight has its peak.
+    /// The method's point of the disc moved to either side of every axis, towards the mirror ray, and so that the half
+    /// vector comes nearer to the normal, where between the former a narrow highlight has its peak.
     fn offsets(&self, pixel: &Pixel, reach: f64) -> [[f64; 3]; 8] {
         let mut offsets = [[0.0; 3]; 8];
         if matches!(self.method, Shading::DiscGgx | Shading::Directional | Shading::ConeGgx) {

@@ -16,8 +16,8 @@ pub fn alpha(draw: &mut Draw<'_>) -> f64 {
     }
 }
 
-/// Normal, viewer and light. Mostly the light somewhere above the surface and the mirror ray about its disc, in widths of
-/// its highlight; else all three anywhere, or two of them the same or opposite.
+/// Normal, viewer and light. Mostly the light somewhere above the surface and the mirror ray about its disc, in widths
+/// of its highlight; else all three anywhere, or two of them the same or opposite.
 pub fn pixel(draw: &mut Draw<'_>, light: &DistantLight, alpha: f64) -> Pixel {
     let n = draw.direction();
     match draw.byte() % 16 {

@@ -1,5 +1,5 @@
-//! Pixels that are related: mirrored, seen from the light, farther from the highlight, of a rougher surface, just beside the
-//! disc's edge, and by two methods.
+//! Pixels that are related: mirrored, seen from the light, farther from the highlight, of a rougher surface, just
+//! beside the disc's edge, and by two methods.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -104,7 +104,8 @@ fn walk(draw: &mut Draw<'_>, surface: Surface) -> [Pixel; 2] {
     })
 }
 
-/// The farther from a point's highlight, the less light: as seen of a metal, per area of the surface that the viewer sees.
+/// The farther from a point's highlight, the less light: as seen of a metal, per area of the surface that the viewer
+/// sees.
 fn fades([near, far]: [Shaded; 2]) -> Result<(), Broken> {
     // The averages over large discs rise a little as the half vector leans, by their formulas.
     let average = family(near.lit.method) > 1;
@@ -137,8 +138,8 @@ fn edge(draw: &mut Draw<'_>, pixel: Pixel, theta: f64, tiny: f64) -> [Pixel; 2] 
     })
 }
 
-/// No more lies between the two sides of the edge than between their exact values, but for both budgets: a switch of forms
-/// there would show. The image in a mirror does end there.
+/// No more lies between the two sides of the edge than between their exact values, but for both budgets: a switch of
+/// forms there would show. The image in a mirror does end there.
 fn joined([inside, outside]: [Shaded; 2]) -> Result<(), Broken> {
     if !(inside.lit.is_defined() && outside.lit.is_defined()) || inside.lit.glossy.alpha == 0.0 {
         return Ok(());

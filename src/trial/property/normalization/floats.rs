@@ -9,8 +9,8 @@ use crate::real::Float;
 use crate::trial::format::Format;
 use crate::trial::quantity::Quantity;
 
-/// Units in the last place that an answer may be off, f64 to f16. In f64 most of it is the truth's own rounding; below the
-/// least normal number the others round twice.
+/// Units in the last place that an answer may be off, f64 to f16. In f64 most of it is the truth's own rounding; below
+/// the least normal number the others round twice.
 const FAITHFUL: [f64; 4] = [9.0, 0.76, 0.76, 0.8];
 
 /// The same of the Sun's radius.

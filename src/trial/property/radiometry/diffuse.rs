@@ -18,9 +18,9 @@ const BINS: [f64; 6] = [1e-3, 1e-2, 0.1, 0.5, 0.9, 1.0];
 const ILLUMINANCE: usize = BINS.len() + 1;
 const LAMBERT: usize = ILLUMINANCE + 1;
 
-/// Budgets of [`relative_illuminance`] by the disc's ratio, relative, beyond half the sky absolute; of [`illuminance`] for
-/// all discs and radiances likewise, absolute being a part of the radiance; and of [`lambert`] in units of the level's
-/// last place. Answers below the least normal number, and shares of an illuminance, count as that one.
+/// Budgets of [`relative_illuminance`] by the disc's ratio, relative, beyond half the sky absolute; of [`illuminance`]
+/// for all discs and radiances likewise, absolute being a part of the radiance; and of [`lambert`] in units of the
+/// level's last place. Answers below the least normal number, and shares of an illuminance, count as that one.
 pub const BUDGETS: [Row; LAMBERT + 1] = [
     ("relative illuminance, ratio to 0.001", [2.8e-7, 9.3e-7, 1.3e-5, 4.3e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
     ("relative illuminance, ratio to 0.01", [2.8e-7, 9.4e-7, 1.3e-5, 5.8e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
@@ -190,8 +190,8 @@ fn horizon<T: Real>(lamp: &Lamp, case: &Case, scene: &Scene<T>) -> Result<(), Br
     Ok(())
 }
 
-/// Illuminance rises with the sine, but for twice the budget; and by no more than the sine does, or the disc's own cosine
-/// allows, but for the same.
+/// Illuminance rises with the sine, but for twice the budget; and by no more than the sine does, or the disc's own
+/// cosine allows, but for the same.
 fn rises<T: Real>(lamp: &Lamp, case: &Case, scene: &Scene<T>, ends: [T::Wide; 2]) -> Result<(), Broken> {
     let [from, to] = ends.map(|end| T::scalar(end).exact());
     let [low, high] = ends.map(|end| scene.answer(end));

@@ -1,5 +1,5 @@
-//! Definitions over all of f64's range: each factor as a number about one and a power of two, so that neither the product
-//! nor what twice the digits need leaves that range.
+//! Definitions over all of f64's range: each factor as a number about one and a power of two, so that neither the
+//! product nor what twice the digits need leaves that range.
 
 use crate::oracle::radiometry::{Parts, relative_error};
 use crate::trial::radiometry::Formula;
