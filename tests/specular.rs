@@ -92,6 +92,26 @@ fn disc_keeps_its_budgets() {
     keeps_its_budgets(Method::Disc);
 }
 
+/// Its budgets are those beside the light's opposite, where it turns to any side. Random pairs do not come so near.
+#[test]
+fn disc_under_the_sun_is_better_where_random_pairs_go() {
+    let budgets = [4.0e-13, 1.5e-4, 1.5e-4, 4.6e-2, 8.2e-3, 2.8e-6, 5.2e-3];
+    for (format, budget) in Format::ALL.into_iter().zip(budgets) {
+        assert_tight(format.visit(Random(Method::Disc, format)), budget, format.name());
+    }
+}
+
+struct Random(Method, Format);
+
+impl Visitor for Random {
+    type Output = f64;
+
+    fn visit<T: Real>(self) -> f64 {
+        let pairs = input::random(1, PAIRS, SUN.angular_radius());
+        judge::<T>(self.0, &SUN, pairs, self.1.step()).worst.error
+    }
+}
+
 #[test]
 fn cap_keeps_its_budgets() {
     keeps_its_budgets(Method::Cap);
