@@ -69,11 +69,13 @@ impl Visitor for Long {
         });
         // So close to the opposite the rounding of the vectors says to which side the answer turns.
         let opposite = a.into_iter().zip(b).all(|(a, b)| (a + b).abs() < 16.0 * format.step());
+        // Of long vectors the answer jumps at a right angle, and f64, which rounds, may see it on the other side.
+        let right = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).abs() < 1e-15;
         [
             apart(reflect(l, r), reflect(a, b)),
             apart(normalize(l), normalize(a)),
             apart(factored(l, r, &sphere), factored(a, b, &exact)),
-            if opposite { 0.0 } else { capped.into_iter().fold(f64::INFINITY, f64::min) },
+            if opposite || right { 0.0 } else { capped.into_iter().fold(f64::INFINITY, f64::min) },
         ]
     }
 }
