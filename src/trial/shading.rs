@@ -105,9 +105,13 @@ impl Shading {
     /// The highlight that the method makes in the format `T` of a pixel, normal, viewer and light: radiance over
     /// illuminance, for a reflectance of `f0` at normal incidence.
     pub fn radiance<T: Real>(self, glossy: &Glossy, sphere: &DistantSphere<T>, pixel: [[T; 3]; 3]) -> f64 {
-        let alpha = T::Scalar::nearest(glossy.alpha);
-        let gloss = self.visit(Once { sphere, alpha, pixel });
+        let gloss = self.shade(sphere, T::Scalar::nearest(glossy.alpha), pixel);
         gloss.radiance(T::Scalar::ONE, T::Scalar::nearest(glossy.f0)).exact()
+    }
+
+    /// The highlight of one pixel: normal, viewer and light.
+    pub fn shade<T: Real>(self, sphere: &DistantSphere<T>, alpha: T::Scalar, pixel: [[T; 3]; 3]) -> Gloss<T::Scalar> {
+        self.visit(Once { sphere, alpha, pixel })
     }
 }
 

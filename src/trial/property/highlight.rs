@@ -7,7 +7,6 @@ mod relation;
 use budget::Lit;
 
 use super::{Broken, Case, inputs};
-use crate::highlight::{Gloss, Highlight};
 use crate::light::DistantLight;
 use crate::oracle::highlight::{Glossy, Pixel};
 use crate::real::{Real, Scalar};
@@ -15,7 +14,7 @@ use crate::sphere::DistantSphere;
 use crate::trial::draw::Draw;
 use crate::trial::format::{Format, Visitor};
 use crate::trial::gloss::F0;
-use crate::trial::shading::{Make, Shading, ShadingVisitor};
+use crate::trial::shading::Shading;
 
 /// Reads a case and says what it breaks.
 ///
@@ -161,7 +160,7 @@ impl Visitor for Total {
         numbers[9] = alpha;
         let case = Case { format, inputs: numbers };
         let sphere = DistantSphere::<T>::of(&light);
-        let gloss = method.visit(Once { sphere: &sphere, alpha: T::Scalar::nearest(alpha), pixel });
+        let gloss = method.shade(&sphere, T::Scalar::nearest(alpha), pixel);
         let parts = [gloss.level, gloss.gain, gloss.fresnel].map(Scalar::exact);
         case.holds("a highlight is finite", parts.into_iter().all(f64::is_finite))?;
         case.holds("a highlight is not negative", parts.into_iter().all(|part| part >= 0.0))?;
@@ -175,20 +174,5 @@ impl Visitor for Total {
             case.at_most("a highlight below the surface", parts[0], 0.0)?;
         }
         Ok(())
-    }
-}
-
-struct Once<'a, T: Real> {
-    sphere: &'a DistantSphere<T>,
-    alpha: T::Scalar,
-    pixel: [[T; 3]; 3],
-}
-
-impl<T: Real> ShadingVisitor<T> for Once<'_, T> {
-    type Output = Gloss<T::Scalar>;
-
-    fn visit<H: Highlight<T> + 'static>(self, method: Make<T, H>) -> Gloss<T::Scalar> {
-        let [n, v, l] = self.pixel;
-        method(self.sphere, self.alpha).shade(n, v, l)
     }
 }
