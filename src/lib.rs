@@ -68,6 +68,8 @@ mod exponential;
 pub mod highlight;
 pub mod light;
 pub mod material;
+#[cfg(feature = "fixed")]
+mod multiply;
 pub mod normalization;
 #[cfg(feature = "oracle")]
 pub mod oracle;

@@ -23,6 +23,9 @@ pub use scaled::Scaled;
 
 use core::fmt::Debug;
 
+use crate::specular::nearest;
+use crate::sphere::DistantSphere;
+
 /// Cosine of 44.4 degrees, a disc of ratio 0.7: see [`Real::STEEP`].
 pub(crate) const STEEP_COSINE: f64 = 0.714;
 
@@ -127,6 +130,12 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
 
     /// `v` at unit length; zero where `v` is zero or not finite.
     fn normalize(v: [Self; 3]) -> [Self; 3];
+
+    /// [`cap`](crate::specular::cap): by its formula, or by code for the format that is faster and within the same budget.
+    #[inline]
+    fn cap(l: [Self; 3], r: [Self; 3], light: &DistantSphere<Self>) -> [Self; 3] {
+        nearest(l, r, light)
+    }
 
     /// The half vector of `l` and `v` as the normal `n` sees it; see [`Halfway`].
     fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: Self::Scalar) -> Halfway<Self::Scalar>;

@@ -1,6 +1,7 @@
 //! The reciprocal square root of a 32-bit mantissa, in integers: a small table and one cubic step, no division.
 
 use crate::constant;
+use crate::multiply::wide;
 
 /// Cells of the table, one for each of the top six bits that a mantissa in [1/4, 1) can have.
 const CELLS: usize = 48;
@@ -34,9 +35,9 @@ fn root<const FRACTION: u32>(m: u32, half: u64) -> i64 {
     let (start, fall) = LINES.get((m >> 26).wrapping_sub(16) as usize).copied().unwrap_or_default();
     // 16 bits, so that the square is exact in 32.
     let seed = u32::from(start).wrapping_sub((u32::from(fall) * ((m >> 10) & 0xffff)) >> 16) & 0xffff;
-    let square = u64::from(seed * seed);
+    let square = seed * seed;
     // y seed^2 in Q62.
-    let product = u64::from(m) * square + half * square / 2;
+    let product = wide(m, square) + half * u64::from(square) / 2;
     // The residual is under 2^-11, hence in Q42 a number of 31 bits.
     let residual = ((1_i64 << 62).wrapping_sub(product as i64)) >> 20;
     let residual_square = residual.wrapping_mul(residual) >> 42;

@@ -93,6 +93,12 @@ pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
 /// Cost: three dot products (four where `l.r < 0`), and outside the disc one root.
 #[inline]
 pub fn cap<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
+    T::cap(l, r, light)
+}
+
+/// [`cap`] by its formula, in every format alike.
+#[inline]
+pub(crate) fn nearest<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let l_dot_r = T::dot(l, r);
     let toward = l_dot_r >= T::WIDE_ZERO;
     let (s, exponent) = if toward {

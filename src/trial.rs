@@ -5,10 +5,12 @@
 pub mod aim;
 pub mod blackbody;
 pub mod budget;
+pub mod chip;
 pub mod diffuse;
 pub mod digest;
 pub mod draw;
 pub mod format;
+pub mod formula;
 pub mod found;
 pub mod gloss;
 pub mod input;

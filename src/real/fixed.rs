@@ -4,11 +4,16 @@
 //! `i64`, whatever the format, since that is finer than the finest lane. All arithmetic that can leave its range
 //! for vectors much longer than one wraps, so that such vectors give a wrong direction but never a panic.
 
+mod q14;
+mod q16;
+mod q30;
+
 use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 
 use super::{Halfway, Real, STEEP_COSINE, Scalar, Scaled, at_most, most_tilt, positive};
 use crate::constant;
 use crate::root::reciprocal_root;
+use crate::sphere::DistantSphere;
 use crate::vec3::{each, zip};
 
 type Lanes = [i32; 3];
@@ -149,7 +154,7 @@ pub(crate) const fn wide_i32<const FRACTION: u32>(value: f64) -> i32 {
 // A macro, since the blanket implementation for floats leaves no room for a second generic one: the compiler cannot
 // rule out that somebody makes `FixedI32<TheirFraction>` a `Float`.
 macro_rules! fixed_point {
-    ($format:ty, $name:literal, $lane:ty, $wide:ty, $unsigned:ty, $level:ty, $fraction:literal, $constant:path) => {
+    ($format:ty, $name:literal, $lane:ty, $wide:ty, $unsigned:ty, $level:ty, $fraction:literal, $constant:path, $by_hand:ident) => {
         impl Lane for $format {
             #[inline]
             fn bits(self) -> i32 {
@@ -278,7 +283,12 @@ macro_rules! fixed_point {
 
             #[inline]
             fn normalize(v: [Self; 3]) -> [Self; 3] {
-                each(normalize::<$fraction>(each(v, Lane::bits)), Lane::clamped)
+                each($by_hand::normalize(each(v, Lane::bits)), Lane::clamped)
+            }
+
+            #[inline]
+            fn cap(l: [Self; 3], r: [Self; 3], light: &DistantSphere<Self>) -> [Self; 3] {
+                $by_hand::cap(l, r, light)
             }
 
             #[inline]
@@ -295,6 +305,6 @@ macro_rules! fixed_point {
     };
 }
 
-fixed_point!(I2F14, "I2F14", i16, i32, u32, U16F16, 14, wide_i32::<28>);
-fixed_point!(I2F30, "I2F30", i32, i64, u64, U32F32, 30, wide_i64::<60>);
-fixed_point!(I16F16, "I16F16", i32, i64, u64, U16F16, 16, wide_i64::<32>);
+fixed_point!(I2F14, "I2F14", i16, i32, u32, U16F16, 14, wide_i32::<28>, q14);
+fixed_point!(I2F30, "I2F30", i32, i64, u64, U32F32, 30, wide_i64::<60>, q30);
+fixed_point!(I16F16, "I16F16", i32, i64, u64, U16F16, 16, wide_i64::<32>, q16);

@@ -76,7 +76,8 @@ fn directions<T: Real>(light: DistantSphere<T>) {
     let light = black_box(light);
     keep((DistantSphere::sin(&light), DistantSphere::sin_square(&light)));
     keep((DistantSphere::cos(&light), DistantSphere::versine(&light)));
-    keep((specular::cap(l, r, &light), specular::factored(l, r, &light), specular::disc(l, r, &light)));
+    keep((<T as Real>::cap(l, r, &light), specular::cap(l, r, &light)));
+    keep((specular::factored(l, r, &light), specular::disc(l, r, &light)));
     keep((specular::reflect(l, r), specular::normalize(l)));
 }
 
