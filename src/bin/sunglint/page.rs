@@ -1,6 +1,8 @@
 //! report.html: charts, tables and explanations in one file that loads nothing.
 
 mod cells;
+mod chip;
+mod costs;
 mod directions;
 mod kernels;
 mod lobes;
@@ -28,6 +30,10 @@ const DIRECTIONS: &str = "<p>A highlight shows the point of a light that lies ne
 These are ways to find the direction to that point. The dashed line is an error as large as the light’s own angular \
 radius.</p>";
 
+const CHIP: &str = "<p>Nothing on this page about a Cortex-M was measured in this run: those counts come with the source, in \
+<code>src/trial/chip/counts.csv</code>. <code>tests/firmware/run</code> makes them again, with QEMU, and fails where they are \
+others. They are exact, and the same on every machine for the same compiler.</p>";
+
 /// The whole page.
 pub fn report(study: &Study) -> String {
     let sections = sections(study);
@@ -41,7 +47,7 @@ pub fn report(study: &Study) -> String {
          <header><h1>sunglint</h1><p>Error against cost of light directions, lit pixels and their parts, {} \
          measurements</p></header>\n<nav><ul>{contents}</ul></nav>\n<main>\n{sections}</main>\n\
          <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
-        study.rows.len() + study.pixels.len() + study.lobes.len() + study.kernels.len(),
+        study.rows.len() + study.pixels.len() + study.lobes.len() + study.kernels.len() + study.chip.len(),
     )
 }
 
@@ -88,6 +94,7 @@ fn sections(study: &Study) -> Vec<Section> {
     }
     sections.extend([
         section("parts", Some("Building blocks"), "Building blocks", kernels::all(study)),
+        section("chip", Some("On the chip"), "On the chip: instructions, stack and bytes", chip::all(study)),
         section("of-a-light", Some("Quantities"), "Quantities of the light", quantities::all(&study.quantities)),
         section("origin", Some("Origin"), "How the numbers were made", origin(study)),
     ]);
@@ -112,8 +119,8 @@ fn origin(study: &Study) -> String {
          quartiles beside it. Every worst case is given with the raw bits of its input (the first input, where no answer is a \
          direction), or in exact decimals for building blocks, so that it can be computed again (of soft_shadow the scene without the \
  direction to its light). The same numbers lie next to this page in <code>results.csv</code>, \
-         <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code> and, all together, in \
-         <code>results.json</code>, the first charts in <code>chart.svg</code> and <code>pixels.svg</code>.</p>",
+         <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code>, <code>chip.csv</code> and, all together, in \
+         <code>results.json</code>, the first charts in <code>chart.svg</code>, <code>chips.svg</code> and <code>pixels.svg</code>.</p>\n{CHIP}",
         escape(&study.version),
         study.seed,
         pixels::tried(study),
@@ -154,8 +161,11 @@ mod tests {
         let study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
         let html = report(&study);
         let count = |piece: &str| html.matches(piece).count();
-        // Two kinds of error of the light, two by two of the case, the highlight, two means of the building blocks.
-        assert_eq!([count("<figure data-light"), count("<figure data-case"), count("class=\"several\"")], [3, 4, 2]);
+        // Two kinds of error of the light, two by two of the case, two means of the building blocks, each over four costs; the
+        // highlight.
+        let figures = [count("<figure data-light"), count("<figure data-case"), count("class=\"several\"")];
+        assert_eq!(figures, [2 * 4 + 1, 2 * 2 * 4, 2 * 4]);
+        assert_eq!(count("<tr data-function"), study.chip.len());
         assert_eq!(count("<tr data-case"), study.pixels.len());
         assert_eq!(count("data-alpha"), study.lobes.len());
         for option in ["Sun, alpha 0.001", "45", "0.0625", "all"] {
