@@ -3,6 +3,7 @@
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 use sunglint::trial::chip::{self, Core, Cost};
+use sunglint::trial::lights;
 
 use crate::axis::Price;
 use crate::key::in_order;
@@ -12,8 +13,14 @@ use crate::result::{Row, Study};
 /// Whose counts the errors of the study belong to.
 pub const OURS: &str = "sunglint";
 
+/// The case whose errors stand beside counts of pixels: counts are of rougher surfaces too, but of no polish.
+pub const PIXEL_CASE: &str = "Sun, alpha 0.0625";
+
 /// What a pixel's function is called, before the name of its method.
 pub const PIXEL: &str = "pixel ";
+
+/// The light whose errors stand beside counts of directions.
+const SUN: &str = lights::STUDY[0].name;
 
 /// A line of counts, with the error of what was counted.
 #[derive(Clone, Debug)]
@@ -106,7 +113,7 @@ pub fn rows(study: &Study) -> Vec<ChipRow> {
     chip::rows().map(row).collect()
 }
 
-/// The error of what was counted: of directions and of pixels under the first light, which is the Sun.
+/// The error of what was counted: of directions under the Sun from Earth, of pixels in [`PIXEL_CASE`].
 fn found(study: &Study, count: &chip::Row) -> Option<Found> {
     let own = |error: f64, unit: &str, failure: &Option<String>| Found {
         error,
@@ -114,11 +121,12 @@ fn found(study: &Study, count: &chip::Row) -> Option<Found> {
         failure: failure.clone(),
     };
     if let Some(method) = count.function.strip_prefix(PIXEL) {
-        let row = study.pixels.iter().find(|row| row.method == method && row.format == count.format);
-        return row.filter(|row| row.case.starts_with("Sun")).map(|row| own(row.error_max, "relative", &row.failure));
+        let mut rows = study.pixels.iter().filter(|row| row.case == PIXEL_CASE);
+        let row = rows.find(|row| row.method == method && row.format == count.format);
+        return row.map(|row| own(row.error_max, "relative", &row.failure));
     }
-    let direction = study.rows.iter().find(|row| row.method == count.function && row.format == count.format);
-    let direction = direction.filter(|row| row.light.starts_with("Sun"));
+    let direction =
+        study.rows.iter().find(|row| row.light == SUN && row.method == count.function && row.format == count.format);
     let kernel = || study.kernels.iter().find(|row| row.kernel == count.function && row.format == count.format);
     direction
         .map(|row| own(row.error_max, "rad", &row.failure))
@@ -179,7 +187,8 @@ mod tests {
 
     #[test]
     fn errors_are_found_for_each_kind_of_function() {
-        let study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        let mut study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        study.pixels.iter_mut().for_each(|row| row.case = PIXEL_CASE.to_owned());
         let unit = |function| {
             let count = sample::count(function, "f32", "any", [None; 3]).count;
             found(&study, &count).map(|found| found.unit)

@@ -20,7 +20,8 @@ const SCRIPT: &str = include_str!("page.js");
 
 const INTRODUCTION: &str = "<p>Each mark in a chart of error against cost is one way to compute the same thing: a method, told by \
 its shape, in a number format, told by its colour and its label. Further <strong>left is \
-cheaper</strong>, further <strong>down is more exact</strong>; both axes are logarithmic. The grey \
+cheaper</strong> (in time on the machine of this run, or in instructions on a microcontroller, as chosen \
+above the chart), further <strong>down is more exact</strong>; both axes are logarithmic. The grey \
 stairs are the Pareto frontier: for every mark off them there is another that is neither dearer nor \
 more wrong. A hollow, crossed-out mark fails, and \
 its label says how: <em>disc lost</em> is off by half of the radius or more within ten radii of the \

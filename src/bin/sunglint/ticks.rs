@@ -16,6 +16,9 @@ const STEPS: [f64; 3] = [0.0, std::f64::consts::LOG10_2, 1.0 - std::f64::consts:
 /// From the lower edge of a panel to the middle of its ticks' texts, in pixels.
 const DOWN: f64 = 13.0;
 
+/// How far a text may stand out to the right, which is less than any chart has there, in pixels.
+const OUT: f64 = 9.0;
+
 /// Space between two texts, in pixels.
 const GAP: f64 = 6.0;
 
@@ -56,9 +59,10 @@ pub fn plots(field: &Field, sheet: &Sheet) -> Vec<Plot> {
 /// The powers of ten, and of the other ticks those whose texts have room.
 fn texts(ticks: &[f64], sheet: &Sheet) -> Vec<Label> {
     let label = |&x: &f64| {
-        let across = sheet.pixels((x, 0.0)).0;
-        let at = (across, sheet.area.y.1 + DOWN);
-        Label { text: format!("{:.0}", 10f64.powf(x)), at, mark: at }
+        let text = format!("{:.0}", 10f64.powf(x));
+        let rightmost = sheet.area.x.1 + OUT - width(&text) / 2.0;
+        let at = (sheet.pixels((x, 0.0)).0.min(rightmost), sheet.area.y.1 + DOWN);
+        Label { text, at, mark: at }
     };
     let is_power = |x: &&f64| (**x - x.round()).abs() < TOLERANCE;
     let (powers, others): (Vec<_>, Vec<_>) = ticks.iter().partition(is_power);

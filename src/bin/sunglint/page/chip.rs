@@ -13,7 +13,7 @@ counted exactly under QEMU at <code>opt-level = 3</code>; bytes of code, with al
 <strong>By</strong> says whose it is: <em>sunglint</em> as it is always called, <em>formula</em> the generic code of a format \
 that has code of its own beside it, everything else a peer with its version. <strong>Case</strong> says of which inputs the median \
 and the worst are: rays inside the light’s disc, outside, or any. The worst arithmetic error is the study’s own, where it has \
-judged that function: of a direction and of a pixel under the first light and roughness of the tables above. A line without figures says why.</p>";
+judged that function: of a direction under the Sun from Earth, of a pixel under the Sun at alpha 0.0625. A line without figures says why.</p>";
 
 const COLUMNS: [&str; 17] = [
     "function",

@@ -33,8 +33,8 @@ or between that and the point nearest to the mirror ray. The root of a cubic is 
 below 1e-8 of a pixel, counts as arithmetic error, in f64 too.</dd></dl>";
 
 /// Which calls the instructions are of.
-const COUNTED: &str = "a pixel (Scene::shade_channel, one light and one channel; counted under the Sun at one roughness and taken for \
-each case)";
+const COUNTED: &str = "a pixel (Scene::shade_channel, one light and one channel; the median of mirror rays outside the disc on surfaces of several roughnesses \
+under the Sun, taken for each case)";
 
 const COLUMNS: [&str; 16] = [
     "case",
