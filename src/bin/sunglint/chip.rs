@@ -13,7 +13,10 @@ use crate::result::{Row, Study};
 /// Whose counts the errors of the study belong to.
 pub const OURS: &str = "sunglint";
 
-/// The case whose errors stand beside counts of pixels: counts are of rougher surfaces too, but of no polish.
+/// Whose counts are of the generic code of a format that has code of its own.
+const FORMULA: &str = "formula";
+
+/// The case whose errors stand beside counts of pixels: under the Sun, the sharpest of a roughness as counted.
 pub const PIXEL_CASE: &str = "Sun, alpha 0.0625";
 
 /// What a pixel's function is called, before the name of its method.
@@ -77,6 +80,11 @@ impl ChipRow {
     /// Whether it is this crate's own, in the way that it is always called.
     pub fn is_ours(&self) -> bool {
         self.count.by == OURS
+    }
+
+    /// Whether it is somebody else's.
+    pub fn is_peers(&self) -> bool {
+        !self.count.by.starts_with(OURS) && self.count.by != FORMULA
     }
 
     /// Why it is worth nothing, or nothing if it works.
@@ -201,6 +209,7 @@ mod tests {
 
     #[test]
     fn what_nobody_could_count_fails_with_its_note() {
+        assert!(sample::peer().is_peers() && !sample::count("cap", "f32", "any", [None; 3]).is_peers());
         let mut row = sample::count("root", "U16F16", "any", [None; 3]);
         row.count.note = "never returns";
         assert_eq!(row.failure(), Some("never returns"));

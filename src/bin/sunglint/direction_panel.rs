@@ -8,8 +8,8 @@ use crate::frontier;
 use crate::number;
 use crate::result::Row;
 
-/// One kind of error of those of `rows` that have a cost; all are under one light. The axes hold both kinds, so that the
-/// panels can be compared.
+/// One kind of error of those of `rows` that have a cost; all are under one light. The axes hold both kinds, so that
+/// the panels can be compared.
 pub fn field(rows: &[&Row], kind: ErrorKind, costs: Costs) -> Field {
     let theta = rows.first().map_or(1.0, |row| row.theta);
     let priced = costs.priced(rows, Row::call);

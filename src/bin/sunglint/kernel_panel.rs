@@ -9,8 +9,8 @@ use crate::mean::Mean;
 use crate::number;
 use crate::result::KernelRow;
 
-/// One error of those of `rows` that have a cost; all are of one building block. Where each format has a unit of its own, as a last place
-/// is, no format is more exact than another, and there is no frontier.
+/// One error of those of `rows` that have a cost; all are of one building block. Where each format has a unit of its
+/// own, as a last place is, no format is more exact than another, and there is no frontier.
 pub fn field(rows: &[&KernelRow], mean: Mean, costs: Costs) -> Field {
     let priced = costs.priced(rows, KernelRow::call);
     let standing =

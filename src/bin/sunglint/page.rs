@@ -31,10 +31,6 @@ const DIRECTIONS: &str = "<p>A highlight shows the point of a light that lies ne
 These are ways to find the direction to that point. The dashed line is an error as large as the light’s own angular \
 radius.</p>";
 
-const CHIP: &str = "<p>Nothing on this page about a Cortex-M was measured in this run: those counts come with the source, in \
-<code>src/trial/chip/counts.csv</code>. <code>tests/firmware/run</code> makes them again, with QEMU, and fails where they are \
-others. They are exact, and the same on every machine for the same compiler.</p>";
-
 /// The whole page.
 pub fn report(study: &Study) -> String {
     let sections = sections(study);
@@ -121,11 +117,12 @@ fn origin(study: &Study) -> String {
          direction), or in exact decimals for building blocks, so that it can be computed again (of soft_shadow the scene without the \
  direction to its light). The same numbers lie next to this page in <code>results.csv</code>, \
          <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code>, <code>chip.csv</code> and, all together, in \
-         <code>results.json</code>, the first charts in <code>chart.svg</code>, <code>chips.svg</code> and <code>pixels.svg</code>.</p>\n{CHIP}",
+         <code>results.json</code>, the first charts in <code>chart.svg</code>, <code>chips.svg</code> and <code>pixels.svg</code>.</p>\n{}",
         escape(&study.version),
         study.seed,
         pixels::tried(study),
-        command(study)
+        command(study),
+        chip::origin()
     )
 }
 
@@ -162,8 +159,8 @@ mod tests {
         let study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
         let html = report(&study);
         let count = |piece: &str| html.matches(piece).count();
-        // Two kinds of error of the light, two by two of the case, two means of the building blocks, each over four costs; the
-        // highlight.
+        // Two kinds of error of the light, two by two of the case, two means of the building blocks, each over four
+        // costs; the highlight.
         let figures = [count("<figure data-light"), count("<figure data-case"), count("class=\"several\"")];
         assert_eq!(figures, [2 * 4 + 1, 2 * 2 * 4, 2 * 4]);
         assert_eq!(count("<tr data-function"), study.chip.len());

@@ -10,10 +10,12 @@ use crate::number;
 use crate::pixel_error::PixelError;
 use crate::result::PixelRow;
 
-/// One error of those of `rows` that have a cost; all are of one case. With the total error goes a line for each method's model error.
+/// One error of those of `rows` that have a cost; all are of one case. With the total error goes a line for each
+/// method's model error.
 pub fn field(rows: &[&PixelRow], error: PixelError, costs: Costs) -> Field {
     let priced = costs.priced(rows, PixelRow::call);
-    let lines = if error.kind == ErrorKind::Total { lines(rows, error) } else { Vec::new() };
+    let rows: Vec<_> = priced.iter().map(|(row, _)| *row).collect();
+    let lines = if error.kind == ErrorKind::Total { lines(&rows, error) } else { Vec::new() };
     let errors = rows.iter().map(|row| error.of(row)).chain(lines.iter().map(|line| line.error));
     let frame = Frame::new(costs.axis, priced.iter().map(|(_, price)| price.cost), errors);
     let on_frontier = frontier::members(&priced, |_| String::new(), |(row, price)| error.standing(row, price.cost));

@@ -1,6 +1,7 @@
 //! Ticks of an axis of instructions: 1, 2 and 5 times the powers of ten, in plain digits.
 //!
-//! Drawn as lines and texts of their own: the log axes of kuva leave out 2 and 5 as soon as four powers of ten are touched.
+//! Drawn as lines and texts of their own: the log axes of kuva leave out 2 and 5 where the range touches four powers of
+//! ten.
 
 use kuva::prelude::{LinePlot, Plot};
 

@@ -1,19 +1,20 @@
 //! The section of the page about instructions, stack and bytes on microcontrollers.
 
-use sunglint::trial::chip::{Core, Cost, Row};
+use sunglint::trial::chip::{Core, Cost, RUSTC, Row};
 
 use super::cells::{self, cell, count, scientific, sortable, text};
-use crate::chip::{self, ChipRow};
+use crate::chip::{self, ChipRow, PIXEL_CASE};
 use crate::number;
 use crate::result::Study;
 
-const INTRODUCTION: &str = "<p>Instructions from the call to the return, all that it calls included, and the deepest stack in bytes, \
-counted exactly under QEMU at <code>opt-level = 3</code>; bytes of code, with all that it calls, and of tables at \
-<code>opt-level = \"s\"</code>. An instruction is not a cycle: loads, jumps and divisions may take several. \
-<strong>By</strong> says whose it is: <em>sunglint</em> as it is always called, <em>formula</em> the generic code of a format \
-that has code of its own beside it, everything else a peer with its version. <strong>Case</strong> says of which inputs the median \
-and the worst are: rays inside the light’s disc, outside, or any. The worst arithmetic error is the study’s own, where it has \
-judged that function: of a direction under the Sun from Earth, of a pixel under the Sun at alpha 0.0625. A line without figures says why.</p>";
+const INTRODUCTION: &str = "<p>Instructions from the call to the return, all that it calls included, and the deepest \
+stack in bytes, counted exactly under QEMU at <code>opt-level = 3</code>; bytes of code, with all that it calls, and \
+of tables at <code>opt-level = \"s\"</code>. An instruction is not a cycle: loads, jumps and divisions may take \
+several. <strong>By</strong> says whose it is: <em>sunglint</em> as it is always called, <em>formula</em> the generic \
+code of a format that has code of its own beside it, <em>sunglint soft</em> f32 computed in integers, and everything \
+else a peer with its version. <strong>Case</strong> says of which inputs the median and the worst are: rays inside \
+the light’s disc, outside, or any. The worst arithmetic error is the study’s own, where it has judged that function: \
+of a direction under the Sun from Earth, of a pixel in the case";
 
 const COLUMNS: [&str; 17] = [
     "function",
@@ -35,6 +36,15 @@ const COLUMNS: [&str; 17] = [
     "note",
 ];
 
+/// Where the counts come from.
+pub fn origin() -> String {
+    format!(
+        "<p>Nothing on this page about a Cortex-M was measured in this run. Those counts come with the source, in \
+         <code>src/trial/chip/counts.csv</code>, made by rustc {RUSTC}. <code>tests/firmware/run</code> counts again, \
+         in QEMU; the same compiler gives the same counts on every machine.</p>"
+    )
+}
+
 /// Every line of counts, with its choice of function, format and author.
 pub fn all(study: &Study) -> String {
     let rows = &study.chip;
@@ -45,16 +55,17 @@ pub fn all(study: &Study) -> String {
         cells::select("By", "by", &names(|row| row.by)),
     ];
     let lines: String = rows.iter().map(line).collect();
-    format!("{INTRODUCTION}\n{}{}", cells::form(&choice.concat()), sortable("counts", &COLUMNS, &lines))
+    let introduction = format!("{INTRODUCTION} {PIXEL_CASE}. A line without figures says why.</p>");
+    format!("{introduction}\n{}{}", cells::form(&choice.concat()), sortable("counts", &COLUMNS, &lines))
 }
 
 fn line(row: &ChipRow) -> String {
     let counts = &row.count;
     let choices = cells::data(&[("function", counts.function), ("format", counts.format), ("by", counts.by)]);
-    let class = match (row.failure(), row.is_ours()) {
+    let class = match (row.failure(), row.is_peers()) {
         (Some(_), _) => " class=\"fails\"",
-        (None, false) => " class=\"peer\"",
-        (None, true) => "",
+        (None, true) => " class=\"peer\"",
+        (None, false) => "",
     };
     let instructions = Core::ALL.map(|core| {
         let cost = counts.on(core);
@@ -62,7 +73,7 @@ fn line(row: &ChipRow) -> String {
     });
     let cells = [
         [counts.function, counts.format, counts.by, counts.case].map(text).concat(),
-        row.found.as_ref().map_or_else(|| missing(), |found| scientific(found.error)),
+        row.found.as_ref().map_or_else(missing, |found| scientific(found.error)),
         text(row.found.as_ref().map_or("", |found| &found.unit)),
         instructions.concat(),
         bytes(row, |cost| cost.stack),

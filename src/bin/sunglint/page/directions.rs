@@ -38,8 +38,8 @@ their order says nothing. Left out are directions beside the opposite of the lig
 the rim is as near, and where the representative point falls into the origin; the table counts them.</p>";
 
 /// Which calls the instructions are of.
-const COUNTED: &str = "a call (the median of rays outside the disc, under the Sun from Earth; taken for each light, whose size \
-changes constants, not the code)";
+const COUNTED: &str = "a call (the median of rays outside the disc, under the Sun from Earth; taken for each light, \
+whose size changes constants, not the code)";
 
 /// The lights in the order of the rows.
 fn lights(study: &Study) -> Vec<String> {

@@ -1,5 +1,7 @@
 //! The sections of the page about lit pixels.
 
+use sunglint::trial::chip::WIDTHS;
+
 use super::cells::{self, bits, cell, scientific, sortable, text};
 use super::costs;
 use crate::axis::Costs;
@@ -33,8 +35,13 @@ or between that and the point nearest to the mirror ray. The root of a cubic is 
 below 1e-8 of a pixel, counts as arithmetic error, in f64 too.</dd></dl>";
 
 /// Which calls the instructions are of.
-const COUNTED: &str = "a pixel (Scene::shade_channel, one light and one channel; the median of mirror rays outside the disc on surfaces of several roughnesses \
-under the Sun, taken for each case)";
+fn counted() -> String {
+    let [smoothest, .., roughest] = WIDTHS;
+    format!(
+        "a pixel (Scene::shade_channel, one light and one channel; the median of mirror rays outside the disc on \
+         surfaces of alpha {smoothest} to {roughest} under the Sun, taken for each case)"
+    )
+}
 
 const COLUMNS: [&str; 16] = [
     "case",
@@ -64,6 +71,7 @@ pub fn charts(study: &Study) -> String {
     let (key, cases) = (chart::pixel_key(study), cases(study));
     let calls: Vec<_> = study.pixels.iter().map(PixelRow::call).collect();
     let offered = Costs::offered(&study.chip, &calls);
+    let counted = counted();
     let figure = |case: &String, error: PixelError, costs: Costs| {
         let rows = of_case(&study.pixels, case);
         let field = pixel_panel::field(&rows, error, costs);
@@ -71,7 +79,7 @@ pub fn charts(study: &Study) -> String {
         let (kind, mean) = (error.kind.name(), error.mean.name());
         let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
         let caption = format!("{case}: {mean} of the {kind} error {}", error.against());
-        let caption = caption + &costs::caption(&costs, COUNTED, &calls);
+        let caption = caption + &costs::caption(&costs, &counted, &calls);
         cells::figure(&[("case", case), ("kind", kind), ("mean", mean), ("axis", costs.axis.name())], &caption, &svg)
     };
     let errors = [ErrorKind::Total, ErrorKind::Arithmetic]

@@ -8,8 +8,8 @@ use crate::chart::{direction_key, under_light};
 use crate::number;
 use crate::result::{Row, Study};
 
-/// Instructions of each direction method in each format on each core; those on the frontier of the total error under the first
-/// light are marked.
+/// Instructions of each direction method in each format on each core; marked are those on the frontier of the total
+/// error under the first light.
 pub fn all(study: &Study) -> String {
     let key = direction_key(study);
     let first = study.rows.first().map_or("", |row| &row.light);
