@@ -10,6 +10,7 @@ use sunglint::fixed::types::{I2F14, I2F30, I16F16};
 use sunglint::half::f16;
 use sunglint::highlight::{ConeGgx, DiscGgx, Gloss, PointGgx, ShiftedConeGgx};
 use sunglint::micromath::F32;
+use sunglint::raw::{self, SphereQ14};
 
 use calls::directions::{self, Ray};
 use calls::highlights::{self, Glossy, Lit};
@@ -83,6 +84,14 @@ export!("reciprocal root/f16/sunglint", vectors::reciprocal_root, f16, f16);
 export!("reciprocal root/Q31/sunglint", vectors::mantissa_reciprocal_root, u32, u32);
 export!("cap/I2F14/formula", directions::cap_by_formula, Ray<I2F14>, [I2F14; 3]);
 export!("cap/I2F30/formula", directions::cap_by_formula, Ray<I2F30>, [I2F30; 3]);
+
+/// A direction method and the normalisation together: what an integer-only image has of this crate at the least.
+const _: () = {
+    #[unsafe(export_name = "flash")]
+    fn call(l: [i16; 3], r: [i16; 3], light: &SphereQ14) -> [i16; 3] {
+        raw::normalize_q14(raw::cap_q14(l, r, light))
+    }
+};
 
 #[panic_handler]
 fn panicked(_: &core::panic::PanicInfo) -> ! {

@@ -82,6 +82,11 @@ fn wait_for_tick() -> Moment {
     unsafe {
         asm!(
             "ldr {now}, [{systick}]",
+            // What the loop has after its reading.
+            "nop",
+            "nop",
+            "nop",
+            "nop",
             "2:",
             "mov {before}, {now}",
             ".rept 34",

@@ -8,7 +8,6 @@ mod counter;
 mod inputs;
 mod row;
 mod rows;
-#[allow(dead_code)]
 mod self_test;
 mod stack;
 
@@ -22,7 +21,7 @@ use counter::Counter;
 #[entry]
 fn main() -> ! {
     let counter = Counter::start(cortex_m::Peripherals::take().unwrap().SYST);
-    // self_test::run(&counter);
+    self_test::run(&counter);
     rows::count(&counter);
     end(true)
 }
