@@ -4,6 +4,7 @@ use kuva::plot::{LegendEntry, LegendShape};
 use kuva::prelude::{Figure, Layout, MarkerShape, SvgBackend, render_multiple, render_twin_y};
 use kuva::render::render::{Primitive, Scene};
 
+use crate::axis::{Axis, Costs};
 use crate::direction_panel;
 use crate::error_kind::ErrorKind;
 use crate::field::Field;
@@ -13,7 +14,8 @@ use crate::pixel_error::PixelError;
 use crate::pixel_panel;
 use crate::result::{PixelRow, Row, Study};
 
-const LEGEND: f64 = 125.0;
+/// Width of a legend, in pixels.
+pub const LEGEND: f64 = 125.0;
 const PANEL: (f64, f64) = (600.0, 640.0);
 const BESIDE_LEGEND: (f64, f64) = (PANEL.0 + LEGEND, PANEL.1);
 /// A panel that has a figure to itself.
@@ -24,8 +26,8 @@ pub fn both_errors(study: &Study) -> String {
     let key = direction_key(study);
     let Some(first) = study.rows.first() else { return nothing() };
     let rows = under_light(&study.rows, &first.light);
-    let [left, right] = ErrorKind::ALL.map(|kind| direction_panel::field(&rows, kind));
-    let name = direction_title(&first.light);
+    let [left, right] = ErrorKind::ALL.map(|kind| direction_panel::field(&rows, kind, on_host(study)));
+    let name = direction_title(&first.light, Axis::Host);
     let layouts = [panel::layout(&left, PANEL), with_legend(panel::layout(&right, BESIDE_LEGEND), &right, &key)];
     let scene = Figure::new(1, 2)
         .with_title(name.clone())
@@ -45,12 +47,17 @@ pub fn both_errors(study: &Study) -> String {
 pub fn first_pixels(study: &Study) -> String {
     let Some(first) = study.pixels.first() else { return nothing() };
     let error = PixelError::default();
-    let mut field = pixel_panel::field(&of_case(&study.pixels, &first.case), error);
+    let mut field = pixel_panel::field(&of_case(&study.pixels, &first.case), error, on_host(study));
     field.title = format!("{}: {}", first.case, field.title);
-    one_panel(&field, &pixel_key(study), &pixel_title(&first.case, error))
+    one_panel(&field, &pixel_key(study), &pixel_title(&first.case, error, Axis::Host))
 }
 
-fn nothing() -> String {
+fn on_host(study: &Study) -> Costs<'_> {
+    Costs { axis: Axis::Host, chip: &study.chip }
+}
+
+/// A chart of a study that has nothing to show.
+pub fn nothing() -> String {
     svg(Scene::new(PANEL.0, PANEL.1), "No measurements")
 }
 
@@ -94,17 +101,25 @@ pub fn pixel_key(study: &Study) -> Key {
 }
 
 /// What the charts of a light show.
-pub fn direction_title(light: &str) -> String {
-    format!("Specular light direction, {light}: error against cost")
+pub fn direction_title(light: &str, axis: Axis) -> String {
+    format!("Specular light direction, {light}: error against {}", axis.against())
 }
 
 /// What the chart of a case shows.
-pub fn pixel_title(case: &str, error: PixelError) -> String {
-    format!("Lit pixel, {case}: {} of the {} error against cost", error.mean.name(), error.kind.name())
+pub fn pixel_title(case: &str, error: PixelError, axis: Axis) -> String {
+    let PixelError { kind, mean } = error;
+    format!("Lit pixel, {case}: {} of the {} error against {}", mean.name(), kind.name(), axis.against())
 }
 
 /// The legend to the right of a panel: shapes, colours, and the rest.
 fn with_legend(layout: Layout, field: &Field, key: &Key) -> Layout {
+    let groups = legend(field, key);
+    let add = |layout: Layout, (title, entries): (&str, Vec<LegendEntry>)| layout.with_legend_group(title, entries);
+    groups.into_iter().fold(layout, add).with_legend_width(LEGEND)
+}
+
+/// The three parts of a legend, each under its title.
+pub fn legend(field: &Field, key: &Key) -> [(&'static str, Vec<LegendEntry>); 3] {
     let entry = |label: &str, color: &str, shape| LegendEntry {
         label: label.to_owned(),
         color: color.to_owned(),
@@ -122,11 +137,11 @@ fn with_legend(layout: Layout, field: &Field, key: &Key) -> Layout {
         let line = entry(name, LINE, LegendShape::Line);
         rest.push(LegendEntry { dasharray: Some(LINE_DASHES.to_owned()), ..line });
     }
-    layout
-        .with_legend_group("Shape: method", key.methods.iter().map(method).collect())
-        .with_legend_group("Colour: format", key.formats.iter().map(format).collect())
-        .with_legend_group("Signs", rest)
-        .with_legend_width(LEGEND)
+    [
+        ("Shape: method", key.methods.iter().map(method).collect()),
+        ("Colour: format", key.formats.iter().map(format).collect()),
+        ("Signs", rest),
+    ]
 }
 
 /// Text of `scene` with a name for screen readers, able to grow and shrink.

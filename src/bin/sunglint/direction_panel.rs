@@ -1,39 +1,52 @@
 //! The panel of the direction methods under one light.
 
+use crate::axis::{Axis, Costs, Price};
 use crate::error_kind::ErrorKind;
 use crate::field::{Field, Line, Point};
 use crate::frame::Frame;
+use crate::frontier;
 use crate::number;
 use crate::result::Row;
 
-/// One kind of error of `rows`, which are all under one light. The axes hold both kinds, so that the panels can be
-/// compared.
-pub fn field(rows: &[&Row], kind: ErrorKind) -> Field {
+/// One kind of error of those of `rows` that have a cost; all are under one light. The axes hold both kinds, so that
+/// the panels can be compared.
+pub fn field(rows: &[&Row], kind: ErrorKind, costs: Costs) -> Field {
     let theta = rows.first().map_or(1.0, |row| row.theta);
+    let priced = costs.priced(rows, Row::call);
+    let on_frontier = frontier::members(&priced, |_| String::new(), |(row, price)| kind.standing(row, price.cost));
     let errors = rows.iter().flat_map(|row| ErrorKind::ALL.map(|kind| kind.worst(row))).chain([theta]);
     Field {
         title: format!("Worst {} error", kind.name()),
-        subtitle: kind.against().to_owned(),
+        subtitle: subtitle(kind, costs.axis),
         call: "call",
+        axis: costs.axis,
         error_axis: "error in radians".to_owned(),
         per_cent: Some(("error in % of the light's angular radius".to_owned(), theta)),
-        frame: Frame::new(rows.iter().map(|row| row.cost), errors),
-        points: rows.iter().map(|row| point(row, kind)).collect(),
+        frame: Frame::new(costs.axis, priced.iter().map(|(_, price)| price.cost), errors),
+        points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, kind, member)).collect(),
         // Named in the legend.
         lines: vec![Line { error: theta, name: String::new() }],
     }
 }
 
-fn point(row: &Row, kind: ErrorKind) -> Point {
+/// What the error is against, and which calls the instructions are of.
+fn subtitle(kind: ErrorKind, axis: Axis) -> String {
+    match axis {
+        Axis::Host => kind.against().to_owned(),
+        Axis::Chip(_) => format!("{}; instructions: median outside the disc", kind.against()),
+    }
+}
+
+fn point((row, price): &(&Row, Price), kind: ErrorKind, on_frontier: bool) -> Point {
     Point {
         method: row.method.clone(),
         format: row.format.clone(),
-        cost: row.cost,
+        cost: price.cost,
         error: kind.worst(row),
         fails: row.failure.is_some(),
-        on_frontier: kind.on_frontier(row),
+        on_frontier,
         label: label(row, kind),
-        tooltip: tooltip(row, kind),
+        tooltip: tooltip(row, kind, price),
     }
 }
 
@@ -46,17 +59,17 @@ fn label(row: &Row, kind: ErrorKind) -> String {
     }
 }
 
-fn tooltip(row: &Row, kind: ErrorKind) -> String {
+fn tooltip(row: &Row, kind: ErrorKind, price: &Price) -> String {
     let worst = kind.worst(row);
     let failure = row.failure.as_ref().map(|failure| format!(": {failure}"));
     format!(
-        "{} in {}{}\n{} error up to {} rad, {} % of the radius\ncost {}",
+        "{} in {}{}\n{} error up to {} rad, {} % of the radius\n{}",
         row.method,
         row.format,
         failure.unwrap_or_default(),
         kind.name(),
         number::scientific(worst),
         number::percent(worst, row.theta),
-        number::quartiles([row.cost, row.cost_low, row.cost_high]),
+        price.said,
     )
 }

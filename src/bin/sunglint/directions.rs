@@ -153,6 +153,15 @@ fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgem
         worst_r: bits(format, &r),
         frontier: false,
         total_frontier: false,
+        m0_instructions: None,
+        m0_frontier: false,
+        m0_total_frontier: false,
+        m3_instructions: None,
+        m3_frontier: false,
+        m3_total_frontier: false,
+        m4_instructions: None,
+        m4_frontier: false,
+        m4_total_frontier: false,
     }
 }
 

@@ -40,16 +40,8 @@ impl ErrorKind {
         }
     }
 
-    /// Whether `row` was found to be on the frontier.
-    pub fn on_frontier(self, row: &Row) -> bool {
-        match self {
-            Self::Arithmetic => row.frontier,
-            Self::Total => row.total_frontier,
-        }
-    }
-
-    /// How `row` stands by this error.
-    pub fn standing(self, row: &Row) -> Standing {
-        Standing { cost: row.cost, error: self.worst(row), works: row.failure.is_none() }
+    /// How `row` stands by this error at some cost.
+    pub fn standing(self, row: &Row, cost: f64) -> Standing {
+        Standing { cost, error: self.worst(row), works: row.failure.is_none() }
     }
 }

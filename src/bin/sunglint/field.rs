@@ -1,5 +1,6 @@
 //! What a panel shows, whatever it was that was measured.
 
+use crate::axis::Axis;
 use crate::frame::Frame;
 
 /// A panel's content.
@@ -9,8 +10,10 @@ pub struct Field {
     pub title: String,
     /// Below the title, smaller.
     pub subtitle: String,
-    /// What takes the time.
+    /// What is called.
     pub call: &'static str,
+    /// What its cost is counted in.
+    pub axis: Axis,
     /// What the axis of errors says.
     pub error_axis: String,
     /// What the axis on the right says, and the error that is its 100 per cent.
@@ -30,7 +33,7 @@ pub struct Point {
     pub method: String,
     /// What its colour stands for.
     pub format: String,
-    /// Time of a call.
+    /// What a call costs.
     pub cost: f64,
     /// How high it stands.
     pub error: f64,

@@ -1,5 +1,8 @@
 //! The Pareto frontier of error against cost: the rows that no other row beats on both.
 
+use sunglint::trial::chip::Core;
+
+use crate::axis::Axis;
 use crate::error_kind::ErrorKind;
 use crate::pixel_error::PixelError;
 use crate::result::{Row, Study};
@@ -7,7 +10,7 @@ use crate::result::{Row, Study};
 /// What it takes to stand on a frontier.
 #[derive(Clone, Copy, Debug)]
 pub struct Standing {
-    /// Time of a call.
+    /// Time of a call, or instructions.
     pub cost: f64,
     /// How wrong the answer is.
     pub error: f64,
@@ -30,16 +33,35 @@ impl Standing {
 
 /// Marks the rows of `study` that are on their light's or their case's frontier.
 pub fn mark(study: &mut Study) {
-    let light = |row: &Row| row.light.clone();
-    let [arithmetic, total] = ErrorKind::ALL.map(|kind| members(&study.rows, light, |row| kind.standing(row)));
+    let [arithmetic, total] = directions(study, |row| row.cost);
     for (row, (arithmetic, total)) in study.rows.iter_mut().zip(arithmetic.into_iter().zip(total)) {
         row.frontier = arithmetic;
         row.total_frontier = total;
     }
-    let pixels = members(&study.pixels, |row| row.case.clone(), |row| PixelError::default().standing(row));
+    Core::ALL.into_iter().for_each(|core| mark_on(core, study));
+    let pixels = members(&study.pixels, |row| row.case.clone(), |row| PixelError::default().standing(row, row.cost));
     for (row, on_frontier) in study.pixels.iter_mut().zip(pixels) {
         row.frontier = on_frontier;
     }
+}
+
+/// The same by the instructions on `core`, which the rows get as well.
+fn mark_on(core: Core, study: &mut Study) {
+    let chip = &study.chip;
+    let instructions = |row: &Row| Axis::Chip(core).price(chip, &row.call()).map_or(f64::NAN, |price| price.cost);
+    let frontiers = directions(study, instructions);
+    let counts: Vec<_> = study.rows.iter().map(instructions).collect();
+    for (place, row) in study.rows.iter_mut().enumerate() {
+        let (count, members) = row.on_chip_mut(core);
+        *count = counts[place].is_finite().then_some(counts[place] as u32);
+        members.into_iter().zip(&frontiers).for_each(|(member, frontier)| *member = frontier[place]);
+    }
+}
+
+/// Who is on the frontiers of both errors of the directions, at some cost.
+fn directions(study: &Study, cost: impl Fn(&Row) -> f64) -> [Vec<bool>; 2] {
+    let light = |row: &Row| row.light.clone();
+    ErrorKind::ALL.map(|kind| members(&study.rows, light, |row| kind.standing(row, cost(row))))
 }
 
 /// For each of `rows`, whether no other of its group beats it.
@@ -99,6 +121,23 @@ mod tests {
         mars.light = "Sun from Mars".to_owned();
         let rows = vec![sample::row("cap", "f32", 1.0, 1e-7), mars];
         assert_eq!(marked(rows), [true, true]);
+    }
+
+    #[test]
+    fn a_core_has_a_frontier_of_its_own() {
+        // On this machine f32 is both cheaper and more exact, on this core dearer.
+        let rows = vec![sample::row("cap", "f32", 1.0, 1e-7), sample::row("cap", "I2F14", 2.0, 1e-4)];
+        let mut study = sample::study(rows);
+        study.chip = vec![
+            sample::count("cap", "f32", "outside", [Some(4700), None, None]),
+            sample::count("cap", "I2F14", "outside", [Some(1000), None, Some(270)]),
+        ];
+        mark(&mut study);
+        let shown = |shown: fn(&Row) -> (Option<u32>, bool)| [&study.rows[0], &study.rows[1]].map(shown);
+        assert_eq!(shown(|row| (None, row.frontier)), [(None, true), (None, false)]);
+        assert_eq!(shown(|row| (row.m0_instructions, row.m0_frontier)), [(Some(4700), true), (Some(1000), true)]);
+        assert_eq!(shown(|row| (row.m3_instructions, row.m3_frontier)), [(None, false); 2]);
+        assert_eq!(shown(|row| (row.m4_instructions, row.m4_total_frontier)), [(None, false), (Some(270), true)]);
     }
 
     #[test]

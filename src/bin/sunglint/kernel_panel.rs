@@ -1,5 +1,6 @@
 //! The panel of one building block in all formats.
 
+use crate::axis::{Costs, Price};
 use crate::field::{Field, Point};
 use crate::frame::Frame;
 use crate::frontier::{self, Standing};
@@ -8,24 +9,31 @@ use crate::mean::Mean;
 use crate::number;
 use crate::result::KernelRow;
 
-/// One error of `rows`, which are all of one building block. Where each format has a unit of its own, as a last place
-/// is, no format is more exact than another, and there is no frontier.
-pub fn field(rows: &[&KernelRow], mean: Mean) -> Field {
-    let standing = |row: &&KernelRow| Standing { cost: row.cost, error: error(row, mean), works: true };
-    let on_frontier = frontier::members(rows, |_| String::new(), standing);
+/// One error of those of `rows` that have a cost; all are of one building block. Where each format has a unit of its
+/// own, as a last place is, no format is more exact than another, and there is no frontier.
+pub fn field(rows: &[&KernelRow], mean: Mean, costs: Costs) -> Field {
+    let priced = costs.priced(rows, KernelRow::call);
+    let standing =
+        |(row, price): &(&KernelRow, Price)| Standing { cost: price.cost, error: error(row, mean), works: true };
+    let on_frontier = frontier::members(&priced, |_| String::new(), standing);
     let comparable = rows.iter().all(|row| row.unit != ULP);
     let [name, unit] = rows.first().map_or([""; 2], |row| [&row.kernel, &row.unit]);
     Field {
         title: name.to_owned(),
         subtitle: format!("{} error", mean.adjective()),
         call: "call",
+        axis: costs.axis,
         error_axis: if comparable { format!("error, {unit}") } else { format!("error, {unit} of each format") },
         per_cent: None,
-        frame: Frame::new(rows.iter().map(|row| row.cost), rows.iter().map(|row| error(row, mean))),
-        points: rows
+        frame: Frame::new(
+            costs.axis,
+            priced.iter().map(|(_, price)| price.cost),
+            priced.iter().map(|(row, _)| error(row, mean)),
+        ),
+        points: priced
             .iter()
             .zip(on_frontier)
-            .map(|(row, on_frontier)| point(row, mean, on_frontier && comparable))
+            .map(|(priced, member)| point(priced, mean, member && comparable))
             .collect(),
         lines: Vec::new(),
     }
@@ -38,22 +46,22 @@ fn error(row: &KernelRow, mean: Mean) -> f64 {
     }
 }
 
-fn point(row: &KernelRow, mean: Mean, on_frontier: bool) -> Point {
+fn point((row, price): &(&KernelRow, Price), mean: Mean, on_frontier: bool) -> Point {
     Point {
         method: row.kernel.clone(),
         format: row.format.clone(),
-        cost: row.cost,
+        cost: price.cost,
         error: error(row, mean),
         fails: !row.error_max.is_finite(),
         on_frontier,
         label: if error(row, mean) == 0.0 { format!("{} exact", row.format) } else { row.format.clone() },
         tooltip: format!(
-            "{} in {}\nerror up to {} {unit}, rms {} {unit}\ncost {}",
+            "{} in {}\nerror up to {} {unit}, rms {} {unit}\n{}",
             row.kernel,
             row.format,
             number::scientific(row.error_max),
             number::scientific(row.error_rms),
-            number::quartiles([row.cost, row.cost_low, row.cost_high]),
+            price.said,
             unit = row.unit,
         ),
     }
@@ -62,12 +70,12 @@ fn point(row: &KernelRow, mean: Mean, on_frontier: bool) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample;
+    use crate::sample::{self, HOST};
 
     #[test]
     fn last_places_of_different_formats_make_no_frontier() {
         let rows = [sample::kernel("f32", 1.0), sample::kernel("f16", 0.5)];
-        let shown = |rows: &[KernelRow]| field(&rows.iter().collect::<Vec<_>>(), Mean::Max);
+        let shown = |rows: &[KernelRow]| field(&rows.iter().collect::<Vec<_>>(), Mean::Max, HOST);
         assert!(shown(&rows).points.iter().any(|point| point.on_frontier));
         let rows = rows.map(|row| KernelRow { unit: ULP.to_owned(), ..row });
         assert!(!shown(&rows).points.iter().any(|point| point.on_frontier));

@@ -2,7 +2,11 @@
 //!
 //! Exit codes: 0 where all went well, 1 where a file could not be written, 2 for a wrong command line.
 
+mod axis;
+mod call;
 mod chart;
+mod chip;
+mod chip_chart;
 mod clock;
 mod direction_panel;
 mod directions;
@@ -36,6 +40,7 @@ mod result;
 mod sample;
 mod sheet;
 mod table;
+mod ticks;
 mod workers;
 
 use std::io::{self, Write};

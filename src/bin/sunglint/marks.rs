@@ -45,8 +45,9 @@ pub fn of(point: &Point, key: &Key, at: (f64, f64), size: f64) -> Vec<ScatterPlo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::direction_panel;
     use crate::error_kind::ErrorKind;
-    use crate::{direction_panel, sample};
+    use crate::sample::{self, HOST};
 
     #[test]
     fn covered_marks_are_rings() {
@@ -57,7 +58,7 @@ mod tests {
     #[test]
     fn a_failure_is_labelled_and_crossed_out() {
         let mut row = sample::row("disc", "f16", 1.0, 0.03);
-        let point = |row: &crate::result::Row| direction_panel::field(&[row], ErrorKind::Total).points.remove(0);
+        let point = |row: &crate::result::Row| direction_panel::field(&[row], ErrorKind::Total, HOST).points.remove(0);
         let key = Key::new([[&row.method, &row.format]].into_iter());
         assert_eq!(of(&point(&row), &key, (0.0, 0.0), SIZE).len(), 2);
         let failure = "disc lost".to_owned();

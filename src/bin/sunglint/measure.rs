@@ -5,7 +5,7 @@ use sunglint::trial::Format;
 
 use crate::options::Options;
 use crate::result::Study;
-use crate::{directions, kernels, lobes, pixels, quantities};
+use crate::{chip, directions, kernels, lobes, pixels, quantities};
 
 /// Names of the lights that can be asked for: of directions, of lit pixels and of whole highlights.
 pub fn light_names() -> Vec<&'static str> {
@@ -26,10 +26,12 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
         pixels: pixels::errors(options, progress),
         lobes: lobes::measure(options, progress),
         kernels: kernels::errors(options, progress),
+        chip: Vec::new(),
     };
     directions::add_costs(&mut study.rows, options, progress);
     pixels::add_costs(&mut study.pixels, options, progress);
     kernels::add_costs(&mut study.kernels, options, progress);
+    study.chip = chip::rows(&study);
     study
 }
 

@@ -8,8 +8,9 @@ use clap::Parser;
 pub const DEFAULT_SEED: u64 = 1;
 
 /// Measures the error and the cost of every method in every number format, prints the result and
-/// writes results.csv, pixels.csv, lobes.csv, kernels.csv, results.json, chart.svg, pixels.svg and
-/// report.html.
+/// writes results.csv, pixels.csv, lobes.csv, kernels.csv, chip.csv, results.json, chart.svg, chips.svg,
+/// pixels.svg and report.html. Instructions on microcontrollers are not measured but taken from the table
+/// that tests/firmware/run has counted.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "sunglint", version)]
 pub struct Options {

@@ -10,7 +10,7 @@ use serde::Serialize;
 use tempfile::{Builder, NamedTempFile};
 
 use crate::result::Study;
-use crate::{chart, page};
+use crate::{chart, chip_chart, page};
 
 /// A file or folder that could not be written, and why.
 #[derive(Debug)]
@@ -43,8 +43,10 @@ pub fn write(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
     table(&out.join("pixels.csv"), &study.pixels)?;
     table(&out.join("lobes.csv"), &study.lobes)?;
     table(&out.join("kernels.csv"), &study.kernels)?;
+    table(&out.join("chip.csv"), &study.chip)?;
     replace(&json_path, &json)?;
     replace(&out.join("chart.svg"), chart::both_errors(study).as_bytes())?;
+    replace(&out.join("chips.svg"), chip_chart::of_cores(study).as_bytes())?;
     replace(&out.join("pixels.svg"), chart::first_pixels(study).as_bytes())?;
     let report = out.join("report.html");
     replace(&report, page::report(study).as_bytes())?;
@@ -119,13 +121,15 @@ mod tests {
         fs::read_to_string(folder.path().join(name)).expect("a file")
     }
 
-    const FILES: [&str; 8] = [
+    const FILES: [&str; 10] = [
         "results.csv",
         "pixels.csv",
         "lobes.csv",
         "kernels.csv",
+        "chip.csv",
         "results.json",
         "chart.svg",
+        "chips.svg",
         "pixels.svg",
         "report.html",
     ];
@@ -133,7 +137,7 @@ mod tests {
     #[test]
     fn a_csv_has_a_line_for_each_row_and_keeps_nan() {
         let study = study();
-        let counts = [study.rows.len(), study.pixels.len(), study.lobes.len(), study.kernels.len()];
+        let counts = [study.rows.len(), study.pixels.len(), study.lobes.len(), study.kernels.len(), study.chip.len()];
         for (name, count) in FILES.into_iter().zip(counts) {
             assert_eq!(written(name).lines().count(), 1 + count, "{name}");
         }
@@ -150,6 +154,8 @@ mod tests {
         assert_eq!(value["pixels"][0]["method"], "karis");
         assert_eq!(value["lobes"].as_array().map(Vec::len), Some(6));
         assert_eq!(value["kernels"][0]["kernel"], "normalize");
+        assert_eq!(value["chip"][0]["m0_median"], 2500);
+        assert!(value["chip"][2]["m3_median"].is_null());
     }
 
     #[test]
@@ -173,6 +179,24 @@ mod tests {
             assert!(text.contains(&format!(">{}</text>", row.method)), "{} has no line", row.method);
         }
         assert!(text.contains(">f16 NaN<"));
+        assert!(!text.contains("\"inf") && !text.contains("\"NaN"), "no place");
+    }
+
+    #[test]
+    fn a_failing_peer_has_a_line_with_its_note() {
+        let text = written("chip.csv");
+        let peer = "root,U16F16,cordic 0.1.5,any,256,,,,,,,,,,,,,,,,,,,never returns";
+        assert_eq!(text.lines().last(), Some(peer));
+        assert!(text.contains("cap,f32,sunglint,outside,256,1e-7,rad,,4700,4750,100,900,192,2600,"), "{text}");
+    }
+
+    #[test]
+    fn the_chart_of_cores_shows_each_and_what_has_been_counted() {
+        let text = written("chips.svg");
+        for (title, count) in [("Cortex-M0+<", 1), ("Cortex-M3<", 1), ("Cortex-M4F<", 1)] {
+            assert_eq!(text.matches(&format!(">{title}")).count(), count, "{title}");
+        }
+        assert!(text.contains("<title>disc in I2F14"));
         assert!(!text.contains("\"inf") && !text.contains("\"NaN"), "no place");
     }
 

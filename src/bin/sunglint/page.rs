@@ -1,6 +1,8 @@
 //! report.html: charts, tables and explanations in one file that loads nothing.
 
 mod cells;
+mod chip;
+mod costs;
 mod directions;
 mod kernels;
 mod lobes;
@@ -18,7 +20,8 @@ const SCRIPT: &str = include_str!("page.js");
 
 const INTRODUCTION: &str = "<p>Each mark in a chart of error against cost is one way to compute the same thing: a method, told by \
 its shape, in a number format, told by its colour and its label. Further <strong>left is \
-cheaper</strong>, further <strong>down is more exact</strong>; both axes are logarithmic. The grey \
+cheaper</strong> (in time on the machine of this run, or in instructions on a microcontroller, as chosen \
+above the chart), further <strong>down is more exact</strong>; both axes are logarithmic. The grey \
 stairs are the Pareto frontier: for every mark off them there is another that is neither dearer nor \
 more wrong. A hollow, crossed-out mark fails, and \
 its label says how: <em>disc lost</em> is off by half of the radius or more within ten radii of the \
@@ -41,7 +44,7 @@ pub fn report(study: &Study) -> String {
          <header><h1>sunglint</h1><p>Error against cost of light directions, lit pixels and their parts, {} \
          measurements</p></header>\n<nav><ul>{contents}</ul></nav>\n<main>\n{sections}</main>\n\
          <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
-        study.rows.len() + study.pixels.len() + study.lobes.len() + study.kernels.len(),
+        study.rows.len() + study.pixels.len() + study.lobes.len() + study.kernels.len() + study.chip.len(),
     )
 }
 
@@ -88,6 +91,7 @@ fn sections(study: &Study) -> Vec<Section> {
     }
     sections.extend([
         section("parts", Some("Building blocks"), "Building blocks", kernels::all(study)),
+        section("chip", Some("On the chip"), "On the chip: instructions, stack and bytes", chip::all(study)),
         section("of-a-light", Some("Quantities"), "Quantities of the light", quantities::all(&study.quantities)),
         section("origin", Some("Origin"), "How the numbers were made", origin(study)),
     ]);
@@ -112,12 +116,13 @@ fn origin(study: &Study) -> String {
          quartiles beside it. Every worst case is given with the raw bits of its input (the first input, where no answer is a \
          direction), or in exact decimals for building blocks, so that it can be computed again (of soft_shadow the scene without the \
  direction to its light). The same numbers lie next to this page in <code>results.csv</code>, \
-         <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code> and, all together, in \
-         <code>results.json</code>, the first charts in <code>chart.svg</code> and <code>pixels.svg</code>.</p>",
+         <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code>, <code>chip.csv</code> and, all together, in \
+         <code>results.json</code>, the first charts in <code>chart.svg</code>, <code>chips.svg</code> and <code>pixels.svg</code>.</p>\n{}",
         escape(&study.version),
         study.seed,
         pixels::tried(study),
-        command(study)
+        command(study),
+        chip::origin()
     )
 }
 
@@ -154,8 +159,11 @@ mod tests {
         let study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
         let html = report(&study);
         let count = |piece: &str| html.matches(piece).count();
-        // Two kinds of error of the light, two by two of the case, the highlight, two means of the building blocks.
-        assert_eq!([count("<figure data-light"), count("<figure data-case"), count("class=\"several\"")], [3, 4, 2]);
+        // Two kinds of error of the light, two by two of the case, two means of the building blocks, each over four
+        // costs; the highlight.
+        let figures = [count("<figure data-light"), count("<figure data-case"), count("class=\"several\"")];
+        assert_eq!(figures, [2 * 4 + 1, 2 * 2 * 4, 2 * 4]);
+        assert_eq!(count("<tr data-function"), study.chip.len());
         assert_eq!(count("<tr data-case"), study.pixels.len());
         assert_eq!(count("data-alpha"), study.lobes.len());
         for option in ["Sun, alpha 0.001", "45", "0.0625", "all"] {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use kuva::prelude::{AxisLine, Layout, LinePlot, Plot, ShadedRegion, Theme, TickFormat};
 
+use crate::axis::Axis;
 use crate::field::{Field, Point};
 use crate::frame::Frame;
 use crate::key::Key;
@@ -15,6 +16,7 @@ use crate::lines;
 use crate::marks;
 use crate::number;
 use crate::sheet::Sheet;
+use crate::ticks;
 
 /// Colour of text and axes.
 pub const INK: &str = "#1b1b1b";
@@ -22,7 +24,8 @@ pub const INK: &str = "#1b1b1b";
 pub const PAPER: &str = "#ffffff";
 /// Colour of the frontier.
 pub const STEP: &str = "#7a7a7a";
-const GRID: &str = "#e6e6e6";
+/// Colour of the lines at the ticks.
+pub const GRID: &str = "#e6e6e6";
 /// Colour of the lines to compare with.
 pub const LINE: &str = "#a06a00";
 
@@ -38,7 +41,8 @@ pub fn plots(field: &Field, key: &Key, layout: &Layout) -> Vec<Plot> {
     let pixels: Vec<_> = places.iter().map(|place| sheet.pixels(*place)).collect();
     let stairs = frontier(field);
 
-    let mut plots: Vec<_> = lines::plots(field).chain([Plot::Line(staircase(&stairs))]).collect();
+    let mut plots = if field.axis == Axis::Host { Vec::new() } else { ticks::plots(field, &sheet) };
+    plots.extend(lines::plots(field).chain([Plot::Line(staircase(&stairs))]));
     let sizes = marks::sizes(&pixels);
     for ((point, place), &size) in field.points.iter().zip(places).zip(&sizes) {
         let marks = marks::of(point, key, place, size);
@@ -60,7 +64,7 @@ pub fn layout(field: &Field, (width, height): (f64, f64)) -> Layout {
         .with_height(height)
         .with_title(field.title.clone())
         .with_subtitle(field.subtitle.clone())
-        .with_x_label(format!("time of a {}, in calls of f32 factored", field.call))
+        .with_x_label(field.axis.label(field.call))
         .with_y_label(field.error_axis.clone())
         .with_shaded_region(ShadedRegion::horizontal(frame.y.1, frame.top).with_color(STRIP));
     let layout = dressed(layout);
@@ -91,7 +95,7 @@ fn scales(field: &Field) -> Layout {
         .with_x_axis_min(frame.x.0)
         .with_x_axis_max(frame.right)
         .with_x_tick_step(tick_step(frame.x.1 - frame.x.0))
-        .with_x_tick_format(powers_of_two_up_to(frame.x.1))
+        .with_x_tick_format(costs_up_to(frame.x.1, field.axis))
         .with_y_axis_min(frame.y.0)
         .with_y_axis_max(frame.top)
         .with_y_tick_step(tick_step(powers))
@@ -112,9 +116,10 @@ fn tick_step(powers: f64) -> f64 {
     if powers > 10.0 { 2.0 } else { 1.0 }
 }
 
-/// Writes powers of two, none of them in the lane right of `highest`.
-fn powers_of_two_up_to(highest: f64) -> TickFormat {
-    custom(move |x| if x < highest + 1e-6 { number::power_of_two(x.round() as i32) } else { String::new() })
+/// Writes powers of two, none of them in the lane right of `highest`; for instructions nothing, as [`ticks`] does.
+fn costs_up_to(highest: f64, axis: Axis) -> TickFormat {
+    let writes = move |x: f64| axis == Axis::Host && x < highest + 1e-6;
+    custom(move |x| if writes(x) { number::power_of_two(x.round() as i32) } else { String::new() })
 }
 
 /// Writes whole powers of ten, none of them in the strip above `highest`.

@@ -49,9 +49,9 @@ impl PixelError {
         }
     }
 
-    /// How `row` stands by this error. What is less than the second digit is no reason to pay more: where the model
-    /// rules, a wider format gains nothing else.
-    pub fn standing(self, row: &PixelRow) -> Standing {
-        Standing { cost: row.cost, error: number::two_digits(self.of(row)), works: row.failure.is_none() }
+    /// How `row` stands by this error at some cost. What is less than the second digit is no reason to pay more: where
+    /// the model rules, a wider format gains nothing else.
+    pub fn standing(self, row: &PixelRow, cost: f64) -> Standing {
+        Standing { cost, error: number::two_digits(self.of(row)), works: row.failure.is_none() }
     }
 }

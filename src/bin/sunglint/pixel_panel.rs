@@ -1,5 +1,6 @@
 //! The panel of lit pixels in one case.
 
+use crate::axis::{Costs, Price};
 use crate::error_kind::ErrorKind;
 use crate::field::{Field, Line, Point};
 use crate::frame::Frame;
@@ -9,20 +10,24 @@ use crate::number;
 use crate::pixel_error::PixelError;
 use crate::result::PixelRow;
 
-/// One error of `rows`, which are all of one case. With the total error goes a line for each method's model error.
-pub fn field(rows: &[&PixelRow], error: PixelError) -> Field {
-    let lines = if error.kind == ErrorKind::Total { lines(rows, error) } else { Vec::new() };
+/// One error of those of `rows` that have a cost; all are of one case. With the total error goes a line for each
+/// method's model error.
+pub fn field(rows: &[&PixelRow], error: PixelError, costs: Costs) -> Field {
+    let priced = costs.priced(rows, PixelRow::call);
+    let rows: Vec<_> = priced.iter().map(|(row, _)| *row).collect();
+    let lines = if error.kind == ErrorKind::Total { lines(&rows, error) } else { Vec::new() };
     let errors = rows.iter().map(|row| error.of(row)).chain(lines.iter().map(|line| line.error));
-    let frame = Frame::new(rows.iter().map(|row| row.cost), errors);
-    let on_frontier = frontier::members(rows, |_| String::new(), |row| error.standing(row));
+    let frame = Frame::new(costs.axis, priced.iter().map(|(_, price)| price.cost), errors);
+    let on_frontier = frontier::members(&priced, |_| String::new(), |(row, price)| error.standing(row, price.cost));
     Field {
         title: format!("{} {} error of a lit pixel", error.mean.adjective(), error.kind.name()),
         subtitle: subtitle(error),
         call: "pixel",
+        axis: costs.axis,
         error_axis: "error relative to the pixel".to_owned(),
         per_cent: None,
         frame: if lines.is_empty() { frame } else { frame.with_lane() },
-        points: rows.iter().zip(on_frontier).map(|(row, on_frontier)| point(row, error, on_frontier)).collect(),
+        points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, error, member)).collect(),
         lines,
     }
 }
@@ -46,11 +51,11 @@ fn lines(rows: &[&PixelRow], error: PixelError) -> Vec<Line> {
     names.iter().filter_map(line).collect()
 }
 
-fn point(row: &PixelRow, error: PixelError, on_frontier: bool) -> Point {
+fn point((row, price): &(&PixelRow, Price), error: PixelError, on_frontier: bool) -> Point {
     Point {
         method: row.method.clone(),
         format: row.format.clone(),
-        cost: row.cost,
+        cost: price.cost,
         error: error.of(row),
         fails: row.failure.is_some(),
         on_frontier,
@@ -58,20 +63,20 @@ fn point(row: &PixelRow, error: PixelError, on_frontier: bool) -> Point {
             Some(failure) => format!("{} {failure}", row.format),
             None => row.format.clone(),
         },
-        tooltip: tooltip(row, error),
+        tooltip: tooltip(row, error, price),
     }
 }
 
-fn tooltip(row: &PixelRow, error: PixelError) -> String {
+fn tooltip(row: &PixelRow, error: PixelError, price: &Price) -> String {
     format!(
-        "{} in {}\n{} of the arithmetic error {}, of the model error {}, of both {}\ncost {}",
+        "{} in {}\n{} of the arithmetic error {}, of the model error {}, of both {}\n{}",
         row.method,
         row.format,
         error.mean.name(),
         number::scientific(PixelError { kind: ErrorKind::Arithmetic, ..error }.of(row)),
         number::scientific(error.model(row)),
         number::scientific(PixelError { kind: ErrorKind::Total, ..error }.of(row)),
-        number::quartiles([row.cost, row.cost_low, row.cost_high]),
+        price.said,
     )
 }
 
@@ -79,7 +84,7 @@ fn tooltip(row: &PixelRow, error: PixelError) -> String {
 mod tests {
     use super::*;
     use crate::mean::Mean;
-    use crate::sample;
+    use crate::sample::{self, HOST};
 
     #[test]
     fn only_the_total_error_has_lines_and_each_method_one() {
@@ -89,7 +94,7 @@ mod tests {
             sample::pixel("cone_ggx", "f32", 9.0, 1e-6),
         ];
         let rows: Vec<_> = rows.iter().collect();
-        let lines = |kind| field(&rows, PixelError { kind, mean: Mean::Max }).lines;
+        let lines = |kind| field(&rows, PixelError { kind, mean: Mean::Max }, HOST).lines;
         assert_eq!(lines(ErrorKind::Total).len(), 2);
         assert!(lines(ErrorKind::Arithmetic).is_empty());
     }
@@ -100,7 +105,7 @@ mod tests {
         for row in &mut rows {
             row.total_rms = row.error_rms.hypot(0.3);
         }
-        let field = field(&rows.iter().collect::<Vec<_>>(), PixelError::default());
+        let field = field(&rows.iter().collect::<Vec<_>>(), PixelError::default(), HOST);
         assert!(field.points[0].on_frontier && !field.points[1].on_frontier);
     }
 }

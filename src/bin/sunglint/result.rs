@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::chip::ChipRow;
+
 /// One method in one number format under one light.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
@@ -57,6 +59,24 @@ pub struct Row {
     pub frontier: bool,
     /// On the frontier of total error against cost, among this light's rows.
     pub total_frontier: bool,
+    /// Instructions of a call on a Cortex-M0+, median outside the disc, as counted under the Sun.
+    pub m0_instructions: Option<u32>,
+    /// On the frontier of arithmetic error against these.
+    pub m0_frontier: bool,
+    /// On the frontier of total error against these.
+    pub m0_total_frontier: bool,
+    /// The same on a Cortex-M3.
+    pub m3_instructions: Option<u32>,
+    /// On the frontier of arithmetic error against these.
+    pub m3_frontier: bool,
+    /// On the frontier of total error against these.
+    pub m3_total_frontier: bool,
+    /// The same on a Cortex-M4F.
+    pub m4_instructions: Option<u32>,
+    /// On the frontier of arithmetic error against these.
+    pub m4_frontier: bool,
+    /// On the frontier of total error against these.
+    pub m4_total_frontier: bool,
 }
 
 /// One light quantity (sizeFactor, solid angle, ...) in one number format.
@@ -205,4 +225,6 @@ pub struct Study {
     pub lobes: Vec<LobeRow>,
     /// One row per building block and format.
     pub kernels: Vec<KernelRow>,
+    /// One row per function, format, author and case that was counted on microcontrollers.
+    pub chip: Vec<ChipRow>,
 }

@@ -1,6 +1,13 @@
 //! Small made-up studies for the tests.
 
+use sunglint::trial::chip::{self, Cost};
+
+use crate::axis::{Axis, Costs};
+use crate::chip::{ChipRow, Found, OURS};
 use crate::result::{KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
+
+/// Times on this machine.
+pub const HOST: Costs<'static> = Costs { axis: Axis::Host, chip: &[] };
 
 /// A row of the Sun from Earth that works, without model error.
 pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
@@ -30,6 +37,15 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         worst_r: "0x3f800000 3c000000 00000000".to_owned(),
         frontier: false,
         total_frontier: false,
+        m0_instructions: None,
+        m0_frontier: false,
+        m0_total_frontier: false,
+        m3_instructions: None,
+        m3_frontier: false,
+        m3_total_frontier: false,
+        m4_instructions: None,
+        m4_frontier: false,
+        m4_total_frontier: false,
     }
 }
 
@@ -45,6 +61,7 @@ pub fn study(rows: Vec<Row>) -> Study {
         pixels: Vec::new(),
         lobes: Vec::new(),
         kernels: Vec::new(),
+        chip: Vec::new(),
     }
 }
 
@@ -61,6 +78,14 @@ pub fn whole_study(rows: Vec<Row>) -> Study {
         ],
         lobes: [lobes("karis"), lobes("cone_ggx")].concat(),
         kernels: vec![kernel("f32", 1.0), kernel("f16", f64::INFINITY)],
+        chip: vec![
+            count("cap", "f32", "inside", [Some(2500), Some(1300), Some(60)]),
+            count("cap", "f32", "outside", [Some(4700), Some(2600), Some(130)]),
+            count("disc", "I2F14", "outside", [Some(1000), None, Some(270)]),
+            count("pixel karis", "f32", "any", [Some(9000), Some(5000), Some(800)]),
+            count("normalize", "f32", "any", [Some(1500), Some(700), Some(40)]),
+            peer(),
+        ],
         ..study(rows)
     }
 }
@@ -125,6 +150,29 @@ pub fn kernel(format: &str, error: f64) -> KernelRow {
         samples: 1000,
         worst_input: "v.x 0.25, v.y 0.5, v.z 0.125".to_owned(),
     }
+}
+
+/// Counts of this crate's own, of which the study has found an error.
+pub fn count(function: &'static str, format: &'static str, case: &'static str, medians: [Option<u32>; 3]) -> ChipRow {
+    let cost = |median: u32| Cost { median, worst: median + 50, stack: 100, text: 900, rodata: 192 };
+    ChipRow {
+        count: chip::Row {
+            function,
+            format,
+            by: OURS,
+            case,
+            inputs: 256,
+            costs: medians.map(|median| median.map(cost)),
+            note: "",
+        },
+        found: Some(Found { error: 1e-7, unit: "rad".to_owned(), failure: None }),
+    }
+}
+
+/// A peer that cannot be counted.
+pub fn peer() -> ChipRow {
+    let row = count("root", "U16F16", "any", [None; 3]);
+    ChipRow { count: chip::Row { by: "cordic 0.1.5", note: "never returns", ..row.count }, found: None }
 }
 
 /// A quantity that works.

@@ -1,5 +1,6 @@
 //! The tables on the terminal.
 
+mod chip;
 mod kernels;
 mod lobes;
 mod pixels;
@@ -20,6 +21,7 @@ pub fn all(study: &Study) -> String {
         parts.push(one_light(&under_light(&study.rows, first)));
         parts.extend((!others.is_empty()).then(|| other_lights(study, others)));
     }
+    parts.extend(Some(chip::all(study)).filter(|table| !table.is_empty()));
     parts.extend((!study.pixels.is_empty()).then(|| pixels::all(study)));
     parts.extend((!study.lobes.is_empty()).then(|| lobes::all(study)));
     parts.extend((!study.kernels.is_empty()).then(|| kernels::all(study)));

@@ -1,6 +1,8 @@
 //! The sections of the page about the direction methods.
 
 use super::cells::{self, bits, cell, count, percent, scientific, sortable, text};
+use super::costs;
+use crate::axis::Costs;
 use crate::chart::{self, under_light};
 use crate::direction_panel;
 use crate::error_kind::ErrorKind;
@@ -35,25 +37,38 @@ is computed in f64, so errors of some 1e-16 rad are the truth’s own rounding a
 their order says nothing. Left out are directions beside the opposite of the light, where all of \
 the rim is as near, and where the representative point falls into the origin; the table counts them.</p>";
 
+/// Which calls the instructions are of.
+const COUNTED: &str = "a call (the median of rays outside the disc, under the Sun from Earth; taken for each light, \
+whose size changes constants, not the code)";
+
 /// The lights in the order of the rows.
 fn lights(study: &Study) -> Vec<String> {
     in_order(study.rows.iter().map(|row| &row.light))
 }
 
-/// A chart for each light and kind of error; the script shows one at a time.
+/// A chart for each light, kind of error and cost; the script shows one at a time.
 pub fn charts(study: &Study) -> String {
     let key = chart::direction_key(study);
     let lights = lights(study);
     let kinds = ErrorKind::ALL.map(ErrorKind::name);
-    let choice = cells::select("Light", "light", &lights) + &cells::radio("Error", "kind", &kinds);
-    let figure = |light: &String, kind: ErrorKind| {
-        let name = format!("{}: {} error", chart::direction_title(light), kind.name());
-        let svg = chart::one_panel(&direction_panel::field(&under_light(&study.rows, light), kind), &key, &name);
+    let calls: Vec<_> = study.rows.iter().map(Row::call).collect();
+    let offered = Costs::offered(&study.chip, &calls);
+    let choice =
+        [cells::select("Light", "light", &lights), cells::radio("Error", "kind", &kinds), costs::choice(&offered)];
+    let figure = |light: &String, kind: ErrorKind, costs: Costs| {
+        let rows = under_light(&study.rows, light);
+        let name = format!("{}: {} error", chart::direction_title(light, costs.axis), kind.name());
+        let svg = chart::one_panel(&direction_panel::field(&rows, kind, costs), &key, &name);
+        let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
         let caption = format!("{light}, {} error {}", kind.name(), kind.against());
-        cells::figure(&[("light", light), ("kind", kind.name())], &caption, &svg)
+        let caption = caption + &costs::caption(&costs, COUNTED, &calls);
+        cells::figure(&[("light", light), ("kind", kind.name()), ("axis", costs.axis.name())], &caption, &svg)
     };
-    let figures = lights.iter().flat_map(|light| ErrorKind::ALL.map(|kind| figure(light, kind)));
-    cells::form(&choice) + &figures.collect::<String>()
+    let of_light = |light| {
+        let kinds = offered.iter().flat_map(|costs| ErrorKind::ALL.map(|kind| (kind, *costs)));
+        kinds.map(|(kind, costs)| figure(light, kind, costs)).collect::<String>()
+    };
+    cells::form(&choice.concat()) + &lights.iter().map(of_light).collect::<String>()
 }
 
 /// What the kinds of error are, and the two that the charts do not tell apart.

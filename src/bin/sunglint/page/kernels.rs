@@ -1,6 +1,8 @@
 //! The section of the page about building blocks.
 
 use super::cells::{self, cell, count, scientific, sortable, text};
+use super::costs;
+use crate::axis::Costs;
 use crate::chart;
 use crate::kernel::Kernel;
 use crate::kernel_panel;
@@ -30,29 +32,51 @@ pub fn all(study: &Study) -> String {
     let rows = &study.kernels;
     // One shape for all, as each function has a panel of its own.
     let key = Key { methods: Vec::new(), ..Key::new(rows.iter().map(|row| [&row.kernel, &row.format])) };
-    let choice = cells::form(&cells::radio("Error", "mean", &Mean::ALL.map(Mean::name)));
-    let groups: String =
-        in_order(rows.iter().map(|row| &row.group)).iter().map(|name| group(rows, name, &key)).collect();
+    let calls: Vec<_> = rows.iter().map(KernelRow::call).collect();
+    let offered = Costs::offered(&study.chip, &calls);
+    let choice = cells::radio("Error", "mean", &Mean::ALL.map(Mean::name)) + &costs::choice(&offered);
+    let choice = cells::form(&choice);
+    let names = in_order(rows.iter().map(|row| &row.group));
+    let groups: String = names.iter().map(|name| group(rows, name, &key, &offered)).collect();
     let lines: String = rows.iter().map(line).collect();
     format!("{INTRODUCTION}\n{choice}{groups}<h3>All measurements</h3>\n{}", sortable("blocks", &COLUMNS, &lines))
 }
 
-/// The charts of a group, those of one mean in a figure.
-fn group(rows: &[KernelRow], group: &str, key: &Key) -> String {
+/// The charts of a group, those of one mean and one cost in a figure.
+fn group(rows: &[KernelRow], group: &str, key: &Key, offered: &[Costs]) -> String {
     let rows: Vec<_> = rows.iter().filter(|row| row.group == group).collect();
     let names = in_order(rows.iter().map(|row| &row.kernel));
-    let figure = |mean: Mean| {
-        let panels: String = names.iter().map(|name| panel(&rows, name, mean, key)).collect();
-        format!("<figure class=\"several\" data-mean=\"{}\">{panels}</figure>\n", mean.name())
+    let figure = |mean: Mean, costs: Costs| {
+        let panels: String = names.iter().map(|name| panel(&rows, name, mean, key, costs)).collect();
+        let choices = cells::data(&[("mean", mean.name()), ("axis", costs.axis.name())]);
+        format!("<figure class=\"several\"{choices}>{}{panels}</figure>\n", caption(&rows, costs))
     };
-    format!("<h3>{}</h3>\n{}", cells::escape(group), Mean::ALL.map(figure).concat())
+    let figures = offered.iter().flat_map(|costs| Mean::ALL.map(|mean| figure(mean, *costs)));
+    format!("<h3>{}</h3>\n{}", cells::escape(group), figures.collect::<String>())
 }
 
-fn panel(rows: &[&KernelRow], name: &str, mean: Mean, key: &Key) -> String {
+/// What of a group has no count on a core; nothing for times.
+fn caption(rows: &[&KernelRow], costs: Costs) -> String {
+    let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
+    match costs.left_out(&calls) {
+        left_out if left_out.is_empty() => left_out,
+        left_out => format!(
+            "<figcaption>Without a count on {}, and left out: {}.</figcaption>",
+            costs.axis.name(),
+            cells::escape(&left_out)
+        ),
+    }
+}
+
+/// The chart of a function; none where no format has a cost.
+fn panel(rows: &[&KernelRow], name: &str, mean: Mean, key: &Key, costs: Costs) -> String {
     let rows: Vec<_> = rows.iter().copied().filter(|row| row.kernel == name).collect();
+    if costs.priced(&rows, KernelRow::call).is_empty() {
+        return String::new();
+    }
     let about = Kernel::ALL.into_iter().find(|kernel| kernel.name() == name).map_or("", Kernel::about);
-    let name = format!("{name}: {} error against cost", mean.name());
-    let svg = chart::small_panel(&kernel_panel::field(&rows, mean), key, PANEL, &name);
+    let name = format!("{name}: {} error against {}", mean.name(), costs.axis.against());
+    let svg = chart::small_panel(&kernel_panel::field(&rows, mean, costs), key, PANEL, &name);
     format!("<div>{svg}<p>{}</p></div>", cells::escape(about))
 }
 

@@ -1,6 +1,10 @@
 //! The sections of the page about lit pixels.
 
+use sunglint::trial::chip::WIDTHS;
+
 use super::cells::{self, bits, cell, scientific, sortable, text};
+use super::costs;
+use crate::axis::Costs;
 use crate::chart::{self, of_case};
 use crate::error_kind::ErrorKind;
 use crate::key::in_order;
@@ -30,6 +34,15 @@ or for an ellipse.</dd>\
 or between that and the point nearest to the mirror ray. The root of a cubic is found by three steps; what they leave, which is \
 below 1e-8 of a pixel, counts as arithmetic error, in f64 too.</dd></dl>";
 
+/// Which calls the instructions are of.
+fn counted() -> String {
+    let [smoothest, .., roughest] = WIDTHS;
+    format!(
+        "a pixel (Scene::shade_channel, one light and one channel; the median of mirror rays outside the disc on \
+         surfaces of alpha {smoothest} to {roughest} under the Sun, taken for each case)"
+    )
+}
+
 const COLUMNS: [&str; 16] = [
     "case",
     "method",
@@ -53,24 +66,35 @@ fn cases(study: &Study) -> Vec<String> {
     in_order(study.pixels.iter().map(|row| &row.case))
 }
 
-/// A chart for each case, error and mean; the script shows one at a time.
+/// A chart for each case, error, mean and cost; the script shows one at a time.
 pub fn charts(study: &Study) -> String {
     let (key, cases) = (chart::pixel_key(study), cases(study));
-    let figure = |case: &String, error: PixelError| {
-        let field = pixel_panel::field(&of_case(&study.pixels, case), error);
-        let svg = chart::one_panel(&field, &key, &chart::pixel_title(case, error));
+    let calls: Vec<_> = study.pixels.iter().map(PixelRow::call).collect();
+    let offered = Costs::offered(&study.chip, &calls);
+    let counted = counted();
+    let figure = |case: &String, error: PixelError, costs: Costs| {
+        let rows = of_case(&study.pixels, case);
+        let field = pixel_panel::field(&rows, error, costs);
+        let svg = chart::one_panel(&field, &key, &chart::pixel_title(case, error, costs.axis));
         let (kind, mean) = (error.kind.name(), error.mean.name());
+        let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
         let caption = format!("{case}: {mean} of the {kind} error {}", error.against());
-        cells::figure(&[("case", case), ("kind", kind), ("mean", mean)], &caption, &svg)
+        let caption = caption + &costs::caption(&costs, &counted, &calls);
+        cells::figure(&[("case", case), ("kind", kind), ("mean", mean), ("axis", costs.axis.name())], &caption, &svg)
     };
     let errors = [ErrorKind::Total, ErrorKind::Arithmetic]
         .into_iter()
         .flat_map(|kind| Mean::ALL.map(|mean| PixelError { kind, mean }));
-    let figures: String = cases.iter().flat_map(|case| errors.clone().map(|error| figure(case, error))).collect();
+    let of_case = |case| {
+        let errors = offered.iter().flat_map(|costs| errors.clone().map(|error| (error, *costs)));
+        errors.map(|(error, costs)| figure(case, error, costs)).collect::<String>()
+    };
+    let figures: String = cases.iter().map(of_case).collect();
     let choice = [
         cells::select("Light and roughness", "case", &cases),
         cells::radio("Error", "kind", &[ErrorKind::Total, ErrorKind::Arithmetic].map(ErrorKind::name)),
         cells::radio("Over the pixels", "mean", &Mean::ALL.map(Mean::name)),
+        costs::choice(&offered),
     ];
     format!("{INTRODUCTION}\n{}{figures}", cells::form(&choice.concat()))
 }
