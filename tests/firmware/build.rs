@@ -1,6 +1,7 @@
-//! Puts memory.x where the linker looks for it.
+//! Puts memory.x and riscv.x where the linker looks for it.
 
 fn main() {
     println!("cargo::rustc-link-search={}", std::env::var("CARGO_MANIFEST_DIR").unwrap());
     println!("cargo::rerun-if-changed=memory.x");
+    println!("cargo::rerun-if-changed=riscv.x");
 }

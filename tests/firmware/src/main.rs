@@ -2,20 +2,24 @@
 #![no_std]
 #![no_main]
 
+#[cfg_attr(target_arch = "arm", path = "board/cortex_m.rs")]
+#[cfg_attr(target_arch = "riscv32", path = "board/riscv.rs")]
+mod board;
+
 use core::panic::PanicInfo;
 
-use cortex_m_rt::entry;
-use cortex_m_semihosting::{debug, hprintln};
+use board::{end, print};
 use sunglint::trial::digest::{CASES, FIXED_POINT, FLOATS};
 
-#[entry]
-fn main() -> ! {
+/// What a board calls once it has started.
+fn run() -> ! {
     let mut differ = 0;
     for digester in FIXED_POINT.iter().chain(&FLOATS) {
         let digest = digester.digest(CASES);
         let same = digest.hash == digester.expected[0];
         let verdict = if same { "as on the host" } else { "NOT as on the host" };
-        hprintln!("{:9} {:#018x} of {} results, {}", digester.name, digest.hash, digest.results, verdict);
+        let (name, hash, results) = (digester.name, digest.hash, digest.results);
+        print(format_args!("{name:9} {hash:#018x} of {results} results, {verdict}\n"));
         differ += u32::from(!same);
     }
     end(differ == 0)
@@ -23,11 +27,6 @@ fn main() -> ! {
 
 #[panic_handler]
 fn panicked(info: &PanicInfo) -> ! {
-    hprintln!("{}", info);
+    print(format_args!("{info}\n"));
     end(false)
-}
-
-fn end(success: bool) -> ! {
-    debug::exit(if success { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
-    loop {}
 }

@@ -95,5 +95,7 @@ const _: () = {
 
 #[panic_handler]
 fn panicked(_: &core::panic::PanicInfo) -> ! {
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

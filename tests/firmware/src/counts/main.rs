@@ -34,5 +34,7 @@ fn panicked(info: &PanicInfo) -> ! {
 
 fn end(success: bool) -> ! {
     debug::exit(if success { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }
