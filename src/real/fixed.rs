@@ -220,12 +220,12 @@ macro_rules! fixed_point {
 
             #[inline]
             fn of_lane(lane: Self) -> Scaled {
-                Scaled::from_bits(lane.to_bits().into(), -$fraction)
+                Scaled::from_i32(lane.to_bits().into(), -$fraction)
             }
 
             #[inline]
             fn lane(scalar: Scaled) -> Self {
-                Self::clamped(saturate(scalar.to_bits($fraction)))
+                Self::clamped(scalar.to_i32($fraction))
             }
 
             #[inline]
