@@ -7,7 +7,11 @@ impl Scaled {
     /// `bits * 2^exponent`, to nearest.
     #[inline]
     pub const fn from_bits(bits: i64, exponent: i32) -> Self {
-        Self::of_size(bits.unsigned_abs(), bits < 0, exponent)
+        if bits as i32 as i64 == bits {
+            Self::from_i32(bits as i32, exponent)
+        } else {
+            Self::of_size(bits.unsigned_abs(), bits < 0, exponent)
+        }
     }
 
     /// `bits * 2^exponent`, to nearest but that the last bit of numbers with 64 does not break ties.
