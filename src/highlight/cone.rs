@@ -173,7 +173,7 @@ impl<'a, S: Scalar> Cone<'a, S> {
                 break;
             }
             if next == previous {
-                return if (MORE_STEPS - step) % 2 == 0 { root } else { next };
+                return if MORE_STEPS.wrapping_sub(step) % 2 == 0 { root } else { next };
             }
             (previous, root) = (root, next);
         }

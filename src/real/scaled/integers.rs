@@ -42,8 +42,8 @@ impl Scaled {
             return ZERO;
         }
         let (top, free) = aligned(high);
-        let top = top | (low >> 1 >> (31 - free));
-        let up = top & 1 != 0 && !(negative && low << free == 0);
+        let top = top | (low >> 1 >> (31_u32.wrapping_sub(free) & 31));
+        let up = top & 1 != 0 && !(negative && low << (free & 31) == 0);
         let mantissa = (top >> 1).wrapping_add(up as u32);
         let exponent = exponent.wrapping_add(64).wrapping_sub(free as i32);
         Self::carried(mantissa, negative, exponent)
@@ -122,7 +122,11 @@ impl Scaled {
     #[inline]
     const fn cut(self, shift: i32) -> i32 {
         // Half of the last place at most, and minus that is rounded upwards too.
-        if shift > 31 { 0 } else { (self.mantissa >> shift).wrapping_add((self.mantissa >> (shift - 1)) & 1) }
+        if shift > 31 {
+            0
+        } else {
+            (self.mantissa >> (shift & 31)).wrapping_add((self.mantissa >> (shift.wrapping_sub(1) & 31)) & 1)
+        }
     }
 
     /// How many of the mantissa's bits lie below `2^-fraction`.
@@ -146,14 +150,17 @@ const fn aligned(bits: u32) -> (u32, u32) {
 /// The same where the machine counts no zeros, and its library takes twice as long as this.
 #[inline]
 const fn by_halves(bits: u32) -> (u32, u32) {
-    let (mut top, mut free, mut step) = (bits, 0, 16);
-    while step > 0 {
-        if top >> (32 - step) == 0 {
-            (top, free) = (top << step, free + step);
-        }
-        step /= 2;
-    }
-    (top, free)
+    let (top, free) = shifted_if_zero::<16>(bits, 0);
+    let (top, free) = shifted_if_zero::<8>(top, free);
+    let (top, free) = shifted_if_zero::<4>(top, free);
+    let (top, free) = shifted_if_zero::<2>(top, free);
+    shifted_if_zero::<1>(top, free)
+}
+
+/// Without the first `STEP` bits where they are zero, and how many have gone.
+#[inline]
+const fn shifted_if_zero<const STEP: u32>(bits: u32, gone: u32) -> (u32, u32) {
+    if bits >> (32 - STEP) == 0 { (bits << STEP, gone.wrapping_add(STEP)) } else { (bits, gone) }
 }
 
 #[cfg(test)]

@@ -40,8 +40,11 @@ impl Scaled {
             return Self::from_i32(self.mantissa.wrapping_add(small.mantissa), self.exponent.wrapping_sub(31));
         }
         let (great, small) = (self.mantissa.unsigned_abs(), small.mantissa.unsigned_abs());
-        let (whole, rest) =
-            if lower == 0 { (small, 0) } else { (small >> 1 >> ((lower - 1) & 31), small << ((32 - lower) & 31)) };
+        let (whole, rest) = if lower == 0 {
+            (small, 0)
+        } else {
+            (small >> 1 >> (lower.wrapping_sub(1) & 31), small << (32_u32.wrapping_sub(lower) & 31))
+        };
         if opposite {
             Self::difference(great.wrapping_sub(whole), rest, negative, self.exponent)
         } else {
