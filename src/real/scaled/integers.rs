@@ -77,7 +77,7 @@ impl Scaled {
     pub const fn to_bits(self, fraction: u32) -> i64 {
         match self.places_below(fraction) {
             shift @ 1.. => self.cut(shift) as i64,
-            shift @ -32..=0 => (self.mantissa as i64) << -shift,
+            shift @ -32..=0 => (self.mantissa as i64) << (shift.wrapping_neg() & 63),
             _ if self.mantissa == 0 => 0,
             _ if self.mantissa < 0 => i64::MIN,
             _ => i64::MAX,
@@ -102,7 +102,7 @@ impl Scaled {
         match self.places_below(fraction) {
             _ if self.mantissa <= 0 => 0,
             shift @ 1.. => self.cut(shift) as u64,
-            shift @ -33..=0 => (self.mantissa as u64) << -shift,
+            shift @ -33..=0 => (self.mantissa as u64) << (shift.wrapping_neg() & 63),
             _ => u64::MAX,
         }
     }
@@ -113,7 +113,7 @@ impl Scaled {
         match self.places_below(fraction) {
             _ if self.mantissa <= 0 => 0,
             shift @ 1.. => self.cut(shift) as u32,
-            shift @ -1..=0 => (self.mantissa as u32) << -shift,
+            shift @ -1..=0 => (self.mantissa as u32) << (shift.wrapping_neg() & 31),
             _ => u32::MAX,
         }
     }
