@@ -2,12 +2,27 @@
 
 /// Whether the machine has no product of 64 bits: Cortex-M0 and M0+, and Thumb of ARM7, which are also those without
 /// compare-and-swap.
-const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+pub(crate) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// The product of two numbers of 32 bits.
 #[inline(always)]
 pub(crate) const fn wide(a: u32, b: u32) -> u64 {
     if NARROW { put_together(a, b) } else { (a as u64).wrapping_mul(b as u64) }
+}
+
+/// The product of two signed numbers of 32 bits.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+pub(crate) const fn signed(a: i32, b: i32) -> i64 {
+    if NARROW { signed_by_unsigned(a, b) } else { (a as i64).wrapping_mul(b as i64) }
+}
+
+/// A negative number that is read as unsigned is too great by `2^32`, and the product by that times the other one.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+const fn signed_by_unsigned(a: i32, b: i32) -> i64 {
+    let excess = (b & (a >> 31)).wrapping_add(a & (b >> 31));
+    (wide(a as u32, b as u32) as i64).wrapping_sub((excess as i64) << 32)
 }
 
 /// From four products of 16-bit halves.
@@ -26,6 +41,8 @@ const fn put_together(a: u32, b: u32) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::put_together;
+    #[cfg(feature = "fixed")]
+    use super::signed_by_unsigned;
 
     #[test]
     fn halves_make_the_same_product() {
@@ -36,6 +53,8 @@ mod tests {
         for &a in &numbers {
             for &b in &numbers {
                 assert_eq!(put_together(a, b), u64::from(a) * u64::from(b), "{a:#x} {b:#x}");
+                #[cfg(feature = "fixed")]
+                assert_eq!(signed_by_unsigned(a as i32, b as i32), i64::from(a as i32) * i64::from(b as i32));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! GGX integrated over the disc exactly: the half vectors of a disc fill an elliptic cone.
 
 use super::disc::Width;
-use super::microfacet::{FOUR_OVER_PI, smith, upright};
+use super::microfacet::{FOUR_OVER_PI, smoothness, upright};
 use super::{Gloss, Highlight, at_most, positive};
 use crate::real::{Constant, Halfway, Real, Scalar, TILT_LIMIT, most_tilt};
 use crate::specular::{cap, reflect};
@@ -40,7 +40,27 @@ use crate::vec3::zip;
 /// 1.7e-4, I2F30 2.8e-9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConeGgx<T: Real> {
-    width: Width<T::Scalar>,
+    lobe: Lobe<T::Scalar>,
+}
+
+/// What of the cone hangs on the roughness and the light alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lobe<S> {
+    width: Width<S>,
+    /// `b^2`.
+    width_square: S,
+    /// `alpha b`.
+    rough_width: S,
+    /// `2 - w`.
+    along: S,
+    /// The least `g`.
+    least_across: S,
+    /// `A_d / b^2`.
+    opening: S,
+    /// `1 + A_d`.
+    widened: S,
+    /// `k`.
+    smooth: S,
 }
 
 /// [`ConeGgx`] for lights of any size: shadowing, reflectance and the cosine are taken not at the disc's centre but
@@ -72,17 +92,14 @@ struct Shape<S> {
 }
 
 /// The cone of half vectors and the surface's place in it, in units of the highlight's width.
-struct Cone<S> {
+struct Cone<'a, S> {
+    lobe: &'a Lobe<S>,
     /// `g`.
     across: S,
-    /// `2 - w`.
-    along: S,
     /// `m_d` and `m_o` over `b^2`.
     tilt: [S; 2],
     /// `A_d` and `A_o` over `b^2`.
     opening: [S; 2],
-    /// `k`.
-    smooth: S,
     /// `1 - k m`, which is `z^2 + alpha^2 m`.
     rest: S,
 }
@@ -93,34 +110,45 @@ const APART: Constant = Constant::new(4.0);
 /// How many more they are there at most; mostly five.
 const MORE_STEPS: u32 = 24;
 
-impl<S: Scalar> Cone<S> {
-    #[inline]
-    fn of(width: &Width<S>, halfway: &Halfway<S>, cosine_square: S) -> Self {
-        let Width { alpha, versine, disc, width, .. } = *width;
-        let along = S::ONE + S::ONE - versine;
-        // No opening is greater than a tilt may be in f16.
-        let limit = S::constant(TILT_LIMIT);
-        let least = disc / limit;
-        let across = halfway.v_dot_h_square + halfway.v_dot_h_square - versine;
-        let across = if across > least { across } else { least };
-        let smooth = (S::ONE - alpha) * (S::ONE + alpha);
+impl<S: Scalar> Lobe<S> {
+    fn of(width: Width<S>) -> Self {
+        let along = S::ONE + S::ONE - width.versine;
+        let (opening, width_square) = (width.disc / along, width.width * width.width);
         Self {
-            across,
+            width,
+            width_square,
+            rough_width: width.alpha * width.width,
             along,
+            // No opening is greater than a tilt may be in f16.
+            least_across: width.disc / S::constant(TILT_LIMIT),
+            opening,
+            widened: S::ONE + opening * width_square,
+            smooth: smoothness(width.alpha),
+        }
+    }
+}
+
+impl<'a, S: Scalar> Cone<'a, S> {
+    #[inline]
+    fn of(lobe: &'a Lobe<S>, halfway: &Halfway<S>, cosine_square: S) -> Self {
+        let across = halfway.v_dot_h_square + halfway.v_dot_h_square - lobe.width.versine;
+        let across = if across > lobe.least_across { across } else { lobe.least_across };
+        Self {
+            lobe,
+            across,
             tilt: [halfway.in_plane, halfway.tilt - halfway.in_plane],
-            opening: [disc / along, at_most(disc / across, limit)],
-            smooth,
-            rest: cosine_square + halfway.tilt * (alpha * width) * (alpha * width),
+            opening: [lobe.opening, at_most(lobe.width.disc / across, S::constant(TILT_LIMIT))],
+            rest: cosine_square + halfway.tilt * lobe.rough_width * lobe.rough_width,
         }
     }
 
     /// `y / b^2`.
     #[inline]
-    fn root(&self, width: &Width<S>) -> S {
+    fn root(&self) -> S {
         let [along, across] = self.tilt;
         let tilt = along + across;
         if !positive(tilt) {
-            return width.alpha_square;
+            return self.lobe.width.alpha_square;
         }
         let [first, second] = self.opening;
         // Between the two: the root of the product of their arithmetic and harmonic means.
@@ -128,28 +156,33 @@ impl<S: Scalar> Cone<S> {
         // Where f16 has no digits left for a small disc the quotient may be anything.
         let pole = at_most(pole, second);
         // Each step doubles the digits that are right.
-        let near = self.step(width, self.one_pole(width, tilt, pole));
-        let root = self.step(width, self.step(width, near));
+        let near = self.step(self.one_pole(tilt, pole));
+        let root = self.step(self.step(near));
         // Poles that are far apart, as at grazing incidence, leave the first guess with hardly any.
-        if second > first * S::constant(APART) { self.until_it_stays(width, root) } else { root }
+        if second > first * S::constant(APART) { self.until_it_stays(root) } else { root }
     }
 
-    /// Steps until one changes nothing, or there have been [`MORE_STEPS`].
+    /// Steps until one changes nothing, or there have been [`MORE_STEPS`], counting those that would go to and fro
+    /// between two roots without taking them.
     #[inline]
-    fn until_it_stays(&self, width: &Width<S>, mut root: S) -> S {
-        for _ in 0..MORE_STEPS {
-            let next = self.step(width, root);
+    fn until_it_stays(&self, mut root: S) -> S {
+        let mut previous = root;
+        for step in 0..MORE_STEPS {
+            let next = self.step(root);
             if next == root {
                 break;
             }
-            root = next;
+            if next == previous {
+                return if MORE_STEPS.wrapping_sub(step) % 2 == 0 { root } else { next };
+            }
+            (previous, root) = (root, next);
         }
         root
     }
 
     /// A better root from `y`: one pole with the value and the slope that the two have there. It lies between them.
     #[inline]
-    fn step(&self, width: &Width<S>, y: S) -> S {
+    fn step(&self, y: S) -> S {
         let [first, second] = self.opening.map(|opening| S::ONE / (y + opening));
         let [along, across] = [self.tilt[0] * first, self.tilt[1] * second];
         let [near, far] = [along * first, across * second];
@@ -158,17 +191,17 @@ impl<S: Scalar> Cone<S> {
             return y;
         }
         let pole = (near * self.opening[0] + far * self.opening[1]) / weight;
-        self.one_pole(width, (along + across) * (y + pole), pole)
+        self.one_pole((along + across) * (y + pole), pole)
     }
 
     /// The root where `phi` is `height y / (y + pole)`.
     #[inline]
-    fn one_pole(&self, width: &Width<S>, height: S, pole: S) -> S {
+    fn one_pole(&self, height: S, pole: S) -> S {
         let zero = S::ZERO;
-        let a = width.alpha_square;
-        let height = self.smooth * height;
+        let Width { alpha_square: a, width, .. } = self.lobe.width;
+        let height = self.lobe.smooth * height;
         // height is in units of b^2.
-        let lead = self.rest + height * width.width * width.width;
+        let lead = self.rest + height * width * width;
         let linear = self.rest * pole - a - height;
         let quarter = (lead * (a * pole)).root();
         let size = S::hypotenuse(if linear < zero { zero - linear } else { linear }, quarter + quarter);
@@ -185,48 +218,46 @@ impl<S: Scalar> Cone<S> {
 
     /// `pi b D / (4 v.h)`.
     #[inline]
-    fn shape(&self, width: &Width<S>) -> S {
+    fn shape(&self) -> S {
+        let Lobe { width, width_square, along, smooth, .. } = *self.lobe;
         let a = width.alpha_square;
         if !positive(a) {
-            return self.mirrored(width);
+            return self.mirrored();
         }
-        let y = self.root(width);
+        let y = self.root();
         let sums = self.opening.map(|opening| y + opening);
         let [first, second] = sums.map(|sum| S::ONE / sum);
         let [near, far] = [self.tilt[0] * first, self.tilt[1] * second];
-        let square = width.width * width.width;
-        let density = self.rest + self.smooth * ((near + far) * y * square);
-        let widen = |share: S, inverse: S, opening: S| share * (y * (y * inverse)) * (S::ONE + opening * square);
-        let spread = a + self.smooth * (widen(near, first, self.opening[0]) + widen(far, second, self.opening[1]));
-        let roots = (self.along * y + width.disc).root() * (self.across * y + width.disc).root() * density.root();
-        width.inverse * a / spread / (roots * self.along)
+        let density = self.rest + smooth * ((near + far) * y * width_square);
+        let widened = [self.lobe.widened, S::ONE + self.opening[1] * width_square];
+        let widen = |share: S, inverse: S, widened: S| share * (y * (y * inverse)) * widened;
+        let spread = a + smooth * (widen(near, first, widened[0]) + widen(far, second, widened[1]));
+        let roots = (along * y + width.disc).root() * (self.across * y + width.disc).root() * density.root();
+        width.inverse * a / spread / (roots * along)
     }
 
     /// The same for `alpha = 0`: whether `n` is in the cone of half vectors.
     #[inline]
-    fn mirrored(&self, width: &Width<S>) -> S {
+    fn mirrored(&self) -> S {
+        let Lobe { width, along: factor, .. } = *self.lobe;
         let [along, across] = self.tilt;
-        let inside = self.along * along + self.across * across <= self.rest * width.disc;
-        if inside && positive(width.disc) {
-            width.inverse / (self.along * width.disc * self.rest.root())
-        } else {
-            S::ZERO
-        }
+        let inside = factor * along + self.across * across <= self.rest * width.disc;
+        if inside && positive(width.disc) { width.inverse / (factor * width.disc * self.rest.root()) } else { S::ZERO }
     }
 }
 
 impl<T: Real> ConeGgx<T> {
     /// A roughness from 0 to 1 under a light.
     pub fn new(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
-        Self { width: Width::of(sphere, alpha) }
+        Self { lobe: Lobe::of(Width::of(sphere, alpha)) }
     }
 
+    /// `n_dot_l` and `n_dot_v` are those of the directions.
     #[inline]
-    fn shape(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Shape<T::Scalar> {
-        let [n_dot_l, n_dot_v] = [l, v].map(|direction| T::scalar(T::dot(n, direction)));
-        let halfway = T::halfway(n, l, v, self.width.inverse);
+    fn shape(&self, [n, v, l]: [[T; 3]; 3], n_dot_l: T::Scalar, n_dot_v: T::Scalar) -> Shape<T::Scalar> {
+        let halfway = T::halfway(n, l, v, self.lobe.width.inverse);
         let cosine_square = upright(n_dot_l, n_dot_v, halfway.v_dot_h_square);
-        let value = Cone::of(&self.width, &halfway, cosine_square).shape(&self.width);
+        let value = Cone::of(&self.lobe, &halfway, cosine_square).shape();
         Shape { value, cosine_square, v_dot_h_square: halfway.v_dot_h_square }
     }
 }
@@ -235,14 +266,14 @@ impl<T: Real> Highlight<T> for ConeGgx<T> {
     #[inline]
     fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar> {
         let [n_dot_l, n_dot_v] = [l, v].map(|direction| T::scalar(T::dot(n, direction)));
-        let visibility = smith(n_dot_l, n_dot_v, self.width.alpha);
+        let visibility = self.lobe.width.visibility(n_dot_l, n_dot_v);
         if !positive(visibility) {
             return Gloss::DARK;
         }
-        let shape = self.shape(n, v, l);
+        let shape = self.shape([n, v, l], n_dot_l, n_dot_v);
         let v_dot_h = shape.v_dot_h_square.root();
         let level = visibility * v_dot_h * shape.value * T::Scalar::constant(FOUR_OVER_PI);
-        Gloss::of(level, self.width.inverse, v_dot_h)
+        Gloss::of(level, self.lobe.width.inverse, v_dot_h)
     }
 }
 
@@ -250,7 +281,7 @@ impl<T: Real> ShiftedConeGgx<T> {
     /// A roughness from 0 to 1 under a light.
     pub fn new(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         let cone = ConeGgx::new(sphere, alpha);
-        let (disc, rough) = (cone.width.disc, cone.width.alpha_square);
+        let Width { disc, alpha_square: rough, .. } = cone.lobe.width;
         let sum = disc + rough;
         let near = if sum > T::Scalar::ZERO { disc / sum } else { T::Scalar::ZERO };
         let far = T::Scalar::ONE - near;
@@ -267,7 +298,7 @@ impl<T: Real> Highlight<T> for ShiftedConeGgx<T> {
         let nearest = cap(l, reflect(n, v), &self.sphere);
         let middle = T::diff(near, nearest, less_far, l);
         let [n_dot_m, n_dot_v] = [cosine(n, middle), cosine(n, v)];
-        let visibility = smith(n_dot_m, n_dot_v, self.cone.width.alpha);
+        let visibility = self.cone.lobe.width.visibility(n_dot_m, n_dot_v);
         // The half vector of the middle: (v.h)^2, and 2 (v.h)^2 / (n.m + n.v), which is (v.h) / (n.h). (v.h)^2 = (1 +
         // m.v) / 2, where nothing cancels: the middle is short by what the two that it is between are apart.
         let (sum, apart) = (zip(middle, v, T::add), zip(nearest, l, T::sub));
@@ -276,9 +307,9 @@ impl<T: Real> Highlight<T> for ShiftedConeGgx<T> {
         if !(positive(visibility) && positive(v_dot_h_square)) {
             return Gloss::DARK;
         }
-        let shape = self.cone.shape(n, v, l);
+        let shape = self.cone.shape([n, v, l], cosine(n, l), n_dot_v);
         let slant = (v_dot_h_square + v_dot_h_square) / (n_dot_m + n_dot_v);
         let level = shape.value * shape.cosine_square.root() * visibility * slant * T::Scalar::constant(FOUR_OVER_PI);
-        Gloss::of(level, self.cone.width.inverse, v_dot_h_square.root())
+        Gloss::of(level, self.cone.lobe.width.inverse, v_dot_h_square.root())
     }
 }

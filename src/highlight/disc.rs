@@ -1,6 +1,6 @@
 //! GGX averaged over the disc, in closed form where the disc is seen as a circle.
 
-use super::microfacet::{smith, upright};
+use super::microfacet::{flatness, upright, visibility};
 use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, extent, positive};
 use crate::real::{Halfway, Real, Scalar};
 use crate::sphere::DistantSphere;
@@ -16,6 +16,10 @@ use crate::sphere::DistantSphere;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiscGgx<T: Real> {
     width: Width<T::Scalar>,
+    /// `w / (2 b^2)`.
+    half_disc: T::Scalar,
+    /// `1 - w/2`.
+    facing: T::Scalar,
     directional: bool,
 }
 
@@ -23,6 +27,8 @@ pub struct DiscGgx<T: Real> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Width<S> {
     pub(super) alpha: S,
+    /// `sqrt(1 - alpha^2)`.
+    pub(super) flatness: S,
     /// `(alpha / b)^2`.
     pub(super) alpha_square: S,
     /// The versine, which f16 holds as a subnormal number if at all.
@@ -42,13 +48,15 @@ impl<S: Scalar> Width<S> {
         let cosine = S::ONE - versine;
         let half = sin / (S::ONE + S::ONE + cosine + cosine).root();
         let width = S::hypotenuse(alpha, half);
+        let flatness = flatness(alpha);
         if !positive(width) {
-            return Self { alpha, alpha_square: S::ZERO, versine, disc: S::ZERO, width, inverse: S::ZERO };
+            return Self { alpha, flatness, alpha_square: S::ZERO, versine, disc: S::ZERO, width, inverse: S::ZERO };
         }
         let (rough, flat) = (alpha / width, half / width);
         let disc = flat * flat;
         Self {
             alpha,
+            flatness,
             alpha_square: rough * rough,
             versine,
             disc: disc + disc,
@@ -56,33 +64,43 @@ impl<S: Scalar> Width<S> {
             inverse: at_most(S::ONE / width, S::MAX),
         }
     }
+
+    /// [`smith`](super::smith) of this roughness.
+    #[inline]
+    pub(super) fn visibility(&self, n_dot_l: S, n_dot_v: S) -> S {
+        visibility(n_dot_l, n_dot_v, self.alpha, self.flatness)
+    }
 }
 
 impl<T: Real> DiscGgx<T> {
     /// The disc's image in the half vectors taken to be a circle: one root.
     pub fn new(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
-        Self { width: Width::of(sphere, alpha), directional: false }
+        Self::of_width(Width::of(sphere, alpha), false)
     }
 
     /// With `T` in `p` alone widened along the ellipse's long axis: `T_p = (w/2) (m + alpha^2 z^2) / (m_d + m_o (v.h)^2
     /// + alpha^2 z^2 (v.h))`, `m_d` being the part of `m` in the plane of `l` and `v`, and `m_o` the rest.
     pub fn directional(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
-        Self { width: Width::of(sphere, alpha), directional: true }
+        Self::of_width(Width::of(sphere, alpha), true)
+    }
+
+    fn of_width(width: Width<T::Scalar>, directional: bool) -> Self {
+        let half = T::Scalar::constant(HALF);
+        Self { width, half_disc: width.disc * half, facing: T::Scalar::ONE - width.versine * half, directional }
     }
 
     /// `pi b D`.
     #[inline]
     fn shape(&self, halfway: &Halfway<T::Scalar>, v_dot_h: T::Scalar, cosine_square: T::Scalar) -> T::Scalar {
         let zero = T::Scalar::ZERO;
-        let Width { alpha_square: a, disc, inverse, .. } = self.width;
+        let Width { alpha_square: a, inverse, .. } = self.width;
         let m = halfway.tilt;
         let rough = a * cosine_square;
-        let half_disc = disc * T::Scalar::constant(HALF);
-        let circle = half_disc / v_dot_h;
+        let circle = self.half_disc / v_dot_h;
         let along = if self.directional {
             let across = (m - halfway.in_plane) * halfway.v_dot_h_square;
             let spread = halfway.in_plane + across + rough * v_dot_h;
-            if spread > zero { half_disc * (m + rough) / spread } else { circle }
+            if spread > zero { self.half_disc * (m + rough) / spread } else { circle }
         } else {
             circle
         };
@@ -105,7 +123,7 @@ impl<T: Real> Highlight<T> for DiscGgx<T> {
     #[inline]
     fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar> {
         let [n_dot_l, n_dot_v] = [l, v].map(|direction| T::scalar(T::dot(n, direction)));
-        let visibility = smith(n_dot_l, n_dot_v, self.width.alpha);
+        let visibility = self.width.visibility(n_dot_l, n_dot_v);
         if !positive(visibility) {
             return Gloss::DARK;
         }
@@ -113,8 +131,7 @@ impl<T: Real> Highlight<T> for DiscGgx<T> {
         let v_dot_h = halfway.v_dot_h_square.root();
         let shape = self.shape(&halfway, v_dot_h, upright(n_dot_l, n_dot_v, halfway.v_dot_h_square));
         // The mean over the disc is per solid angle, illuminance per projected one: pi x^2 = 2 pi w (1 - w/2).
-        let facing = T::Scalar::ONE - self.width.versine * T::Scalar::constant(HALF);
-        let level = visibility * shape * T::Scalar::constant(INVERSE_PI) / facing;
+        let level = visibility * shape * T::Scalar::constant(INVERSE_PI) / self.facing;
         Gloss::of(level, self.width.inverse, v_dot_h)
     }
 }

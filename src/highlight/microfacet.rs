@@ -11,13 +11,30 @@ use crate::real::{Constant, Scalar};
 /// `2^-14`, which is grazing to a 300th of a degree.
 #[inline]
 pub fn smith<S: Scalar>(n_dot_l: S, n_dot_v: S, alpha: S) -> S {
+    visibility(n_dot_l, n_dot_v, alpha, flatness(alpha))
+}
+
+/// `sqrt(1 - alpha^2)`.
+#[inline]
+pub(super) fn flatness<S: Scalar>(alpha: S) -> S {
+    smoothness(alpha).root()
+}
+
+/// `1 - alpha^2`.
+#[inline]
+pub(super) fn smoothness<S: Scalar>(alpha: S) -> S {
+    (S::ONE - alpha) * (S::ONE + alpha)
+}
+
+/// [`smith`] of a roughness whose [`flatness`] is known.
+#[inline]
+pub(super) fn visibility<S: Scalar>(n_dot_l: S, n_dot_v: S, alpha: S, flatness: S) -> S {
     const GRAZING: Constant = Constant::new(1.0 / 16384.0);
     let lit = n_dot_l > S::ZERO && n_dot_v > S::constant(GRAZING);
     if !lit {
         return S::ZERO;
     }
-    let smooth = ((S::ONE - alpha) * (S::ONE + alpha)).root();
-    let [toward_light, toward_viewer] = [n_dot_l, n_dot_v].map(|cosine| S::hypotenuse(alpha, smooth * cosine));
+    let [toward_light, toward_viewer] = [n_dot_l, n_dot_v].map(|cosine| S::hypotenuse(alpha, flatness * cosine));
     S::constant(HALF) / (toward_viewer + n_dot_v * (toward_light / n_dot_l))
 }
 

@@ -1,6 +1,6 @@
 //! GGX at one point of the disc, with a factor that keeps the energy.
 
-use super::microfacet::{smith, upright};
+use super::microfacet::{flatness, upright, visibility};
 use super::{Gloss, HALF, Highlight, INVERSE_PI, at_most, extent, positive};
 use crate::real::{Constant, Real, Scalar};
 use crate::specular::{cap, reflect};
@@ -24,6 +24,8 @@ use crate::sphere::DistantSphere;
 pub struct PointGgx<T: Real> {
     sphere: DistantSphere<T>,
     alpha: T::Scalar,
+    /// `sqrt(1 - alpha^2)`.
+    flatness: T::Scalar,
     inverse_alpha: T::Scalar,
     gain: T::Scalar,
 }
@@ -68,7 +70,7 @@ impl<T: Real> PointGgx<T> {
     fn of_width(sphere: &DistantSphere<T>, alpha: T::Scalar, width: T::Scalar) -> Self {
         let (zero, one, most) = (T::Scalar::ZERO, T::Scalar::ONE, T::Scalar::MAX);
         let inverse = |value: T::Scalar| if value > zero { at_most(one / value, most) } else { zero };
-        Self { sphere: *sphere, alpha, inverse_alpha: inverse(alpha), gain: inverse(width) }
+        Self { sphere: *sphere, alpha, flatness: flatness(alpha), inverse_alpha: inverse(alpha), gain: inverse(width) }
     }
 }
 
@@ -78,7 +80,7 @@ impl<T: Real> Highlight<T> for PointGgx<T> {
         let r = reflect(n, v);
         let point = cap(l, r, &self.sphere);
         let [n_dot_l, n_dot_v] = [point, v].map(|direction| T::scalar(T::dot(n, direction)));
-        let visibility = smith(n_dot_l, n_dot_v, self.alpha);
+        let visibility = visibility(n_dot_l, n_dot_v, self.alpha, self.flatness);
         if !positive(visibility) {
             return Gloss::DARK;
         }

@@ -12,6 +12,7 @@ use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 
 use super::{Halfway, Real, STEEP_COSINE, Scalar, Scaled, at_most, most_tilt, positive};
 use crate::constant;
+use crate::multiply::signed;
 use crate::root::reciprocal_root;
 use crate::sphere::DistantSphere;
 use crate::vec3::{each, zip};
@@ -110,11 +111,12 @@ fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled) -> Halfway<
     let gain_square = gain * gain;
     let scaled = |bits| Scaled::from_bits(bits, 2 * exponent);
     let limit = most_tilt();
-    let tilt = at_most(sum_of_squares(each(cross(n, sum), scaled)) / square * gain_square, limit);
+    // Products of 32 bits, a machine's own, are fewer than those with a sum, which may have 33.
+    let turned = zip(cross(n, l), cross(n, v), i64::wrapping_add);
+    let tilt = at_most(sum_of_squares(each(turned, scaled)) / square * gain_square, limit);
     let across = sum_of_squares(each(lacking, |lane| Scaled::from_bits(lane, exponent)));
     let in_plane = if across > Scaled::ZERO {
-        let [x, y, z] = zip(n, lacking, |n, lacking| i64::from(n).wrapping_mul(lacking));
-        let along = scaled(x.wrapping_add(y).wrapping_add(z));
+        let along = scaled(dot(n, l).wrapping_sub(dot(n, v)));
         at_most(along * along / across * gain_square, tilt)
     } else {
         tilt * Scaled::from_bits(1, -1)
@@ -128,9 +130,8 @@ fn sum_of_squares([x, y, z]: [Scaled; 3]) -> Scaled {
 }
 
 #[inline]
-fn cross(a: Lanes, b: [i64; 3]) -> [i64; 3] {
-    let minor =
-        |p: i32, q: i64, r: i32, s: i64| i64::from(p).wrapping_mul(q).wrapping_sub(i64::from(r).wrapping_mul(s));
+fn cross(a: Lanes, b: Lanes) -> [i64; 3] {
+    let minor = |p, q, r, s| signed(p, q).wrapping_sub(signed(r, s));
     [minor(a[1], b[2], a[2], b[1]), minor(a[2], b[0], a[0], b[2]), minor(a[0], b[1], a[1], b[0])]
 }
 
@@ -220,12 +221,12 @@ macro_rules! fixed_point {
 
             #[inline]
             fn of_lane(lane: Self) -> Scaled {
-                Scaled::from_bits(lane.to_bits().into(), -$fraction)
+                Scaled::from_i32(lane.to_bits().into(), -$fraction)
             }
 
             #[inline]
             fn lane(scalar: Scaled) -> Self {
-                Self::clamped(saturate(scalar.to_bits($fraction)))
+                Self::clamped(scalar.to_i32($fraction))
             }
 
             #[inline]

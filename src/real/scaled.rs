@@ -1,9 +1,13 @@
 //! An integer times a power of two: what fixed point computes with where no Q format is wide enough.
 
+mod integers;
+mod sum;
+
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Sub};
 
 use super::{Constant, Scalar};
+use crate::multiply::{signed, wide};
 use crate::reciprocal::fraction_of_reciprocal;
 use crate::root::fraction_of_reciprocal_root;
 
@@ -30,88 +34,10 @@ const ZERO: Scaled = Scaled { mantissa: 0, exponent: -(1 << 24) };
 const MAX: Scaled = Scaled { mantissa: i32::MAX, exponent: 1 << 20 };
 
 impl Scaled {
-    /// `bits * 2^exponent`, to nearest.
-    #[inline]
-    pub const fn from_bits(bits: i64, exponent: i32) -> Self {
-        let free = bits.unsigned_abs().leading_zeros();
-        // The lowest number of all has no room for its sign; one less is as near as the mantissa can tell.
-        if free == 0 {
-            return Self::from_bits(bits.wrapping_add(1), exponent);
-        }
-        if bits == 0 {
-            return ZERO;
-        }
-        let aligned = bits << (free - 1);
-        let mantissa = (aligned >> 32) + ((aligned >> 31) & 1);
-        let exponent = exponent.wrapping_add(64 - free as i32);
-        // Rounded up past its end.
-        let over = mantissa == 1 << 31 || mantissa == -(1 << 31);
-        if over {
-            Self { mantissa: (mantissa / 2) as i32, exponent: exponent.wrapping_add(1) }
-        } else {
-            Self { mantissa: mantissa as i32, exponent }
-        }
-    }
-
-    /// `bits * 2^exponent`, to nearest but that the last bit of numbers with 64 does not break ties.
-    #[inline]
-    pub const fn from_unsigned(bits: u64, exponent: i32) -> Self {
-        // The bit that is lost of numbers with 64 is far below the mantissa's last.
-        if bits >> 63 == 0 {
-            Self::from_bits(bits as i64, exponent)
-        } else {
-            Self::from_bits((bits >> 1) as i64, exponent.wrapping_add(1))
-        }
-    }
-
-    /// The number nearest to `value`; zero for NaN, [`Scalar::MAX`] or its negative for infinities. For constants.
-    pub const fn new(value: f64) -> Self {
-        let bits = value.to_bits();
-        let fraction = (bits & ((1 << 52) - 1)) as i64;
-        let magnitude = match (bits >> 52) & 0x7ff {
-            0x7ff if fraction != 0 => return ZERO,
-            0x7ff => MAX,
-            0 => Self::from_bits(fraction, -1074),
-            exponent => Self::from_bits(fraction | (1 << 52), exponent as i32 - 1075),
-        };
-        if value < 0.0 { magnitude.negative() } else { magnitude }
-    }
-
-    /// The value times `2^fraction` as an integer, to nearest, halves upwards; saturates.
-    #[inline]
-    pub const fn to_bits(self, fraction: u32) -> i64 {
-        let mantissa = self.mantissa as i64;
-        match self.places_below(fraction) {
-            shift @ 1..=32 => (mantissa >> shift) + ((mantissa >> (shift - 1)) & 1),
-            shift @ -32..=0 => mantissa << -shift,
-            shift if shift > 0 || mantissa == 0 => 0,
-            _ if mantissa < 0 => i64::MIN,
-            _ => i64::MAX,
-        }
-    }
-
-    /// The value times `2^fraction` as an unsigned integer, to nearest; zero for negative values, saturates.
-    #[inline]
-    pub const fn to_unsigned(self, fraction: u32) -> u64 {
-        let mantissa = if self.mantissa > 0 { self.mantissa as u64 } else { 0 };
-        match self.places_below(fraction) {
-            shift @ 1..=32 => (mantissa >> shift) + ((mantissa >> (shift - 1)) & 1),
-            shift @ -33..=0 => mantissa << -shift,
-            shift if shift > 0 || mantissa == 0 => 0,
-            _ => u64::MAX,
-        }
-    }
-
     /// The mantissa in Q31 and the exponent, for digests.
     #[cfg(feature = "oracle")]
     pub(crate) const fn parts(self) -> (i32, i32) {
         (self.mantissa, self.exponent)
-    }
-
-    /// How many of the mantissa's bits lie below `2^-fraction`.
-    #[inline]
-    const fn places_below(self, fraction: u32) -> i32 {
-        31_i32.wrapping_sub(fraction as i32).wrapping_sub(self.exponent)
     }
 
     #[inline]
@@ -119,24 +45,34 @@ impl Scaled {
         Self { mantissa: self.mantissa.wrapping_neg(), ..self }
     }
 
+    /// `bits * 2^exponent` of a size from `2^(29 + PLACES)` to that of a mantissa times `2^PLACES`, rounded to nearest,
+    /// halves upwards.
+    #[inline]
+    fn near<const PLACES: u32>(bits: i64, exponent: i32) -> Self {
+        let high = (bits >> 32) as i32;
+        // Whether the first bit differs from the sign.
+        if (high ^ (high << (33 - PLACES))) < 0 {
+            let mantissa = bits.wrapping_add(1 << (PLACES - 1)) >> PLACES;
+            return Self { mantissa: mantissa as i32, exponent: exponent.wrapping_add(31 + PLACES as i32) };
+        }
+        let mantissa = (bits.wrapping_add(1 << (PLACES - 2)) >> (PLACES - 1)) as i32;
+        let exponent = exponent.wrapping_add(30 + PLACES as i32);
+        // Rounded up past its end.
+        if mantissa == i32::MIN {
+            Self { mantissa: if high < 0 { -(1 << 30) } else { 1 << 30 }, exponent: exponent.wrapping_add(1) }
+        } else {
+            Self { mantissa, exponent }
+        }
+    }
+
     /// The mantissa times 1 and a `fraction` in Q32, which together are 33 bits: Q62, and more than its last bit is not
     /// lost.
     #[inline]
     fn times_one_and(self, fraction: u32) -> i64 {
-        let mantissa = i64::from(self.mantissa);
-        (mantissa << 31).wrapping_add(mantissa.wrapping_mul(fraction.into()) >> 1)
-    }
-
-    #[inline]
-    fn plus(self, other: Self) -> Self {
-        let (great, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
-        let lower = great.exponent.wrapping_sub(small.exponent);
-        // Negative only where exponents have wrapped.
-        if !(0..=33).contains(&lower) {
-            return great;
-        }
-        let sum = (i64::from(great.mantissa) << 31) + (i64::from(small.mantissa) << 31).wrapping_shr(lower as u32);
-        Self::from_bits(sum, great.exponent.wrapping_sub(62))
+        // What reading the mantissa as unsigned adds.
+        let excess = i64::from(fraction & (self.mantissa >> 31) as u32) << 32;
+        let product = (wide(self.mantissa as u32, fraction) as i64).wrapping_sub(excess);
+        (i64::from(self.mantissa) << 31).wrapping_add(product >> 1)
     }
 
     /// Negated where `other` is negative.
@@ -169,8 +105,11 @@ impl Mul for Scaled {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let product = i64::from(self.mantissa) * i64::from(other.mantissa);
-        Self::from_bits(product, self.exponent.wrapping_add(other.exponent).wrapping_sub(62))
+        let product = signed(self.mantissa, other.mantissa);
+        if product == 0 {
+            return ZERO;
+        }
+        Self::near::<31>(product, self.exponent.wrapping_add(other.exponent).wrapping_sub(62))
     }
 }
 
@@ -185,7 +124,7 @@ impl Div for Scaled {
             _ => {
                 let quotient = self.times_one_and(fraction_of_reciprocal(other.mantissa.unsigned_abs()));
                 let exponent = self.exponent.wrapping_sub(other.exponent).wrapping_sub(62);
-                Self::from_bits(quotient, exponent).signed_by(other)
+                Self::near::<32>(quotient, exponent).signed_by(other)
             }
         }
     }
@@ -194,7 +133,14 @@ impl Div for Scaled {
 impl PartialOrd for Scaled {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        (*self - *other).mantissa.partial_cmp(&0)
+        let (a, b) = (self, other);
+        Some(if a.mantissa > 0 && b.mantissa > 0 {
+            (a.exponent, a.mantissa).cmp(&(b.exponent, b.mantissa))
+        } else if a.mantissa < 0 && b.mantissa < 0 {
+            (b.exponent, a.mantissa).cmp(&(a.exponent, b.mantissa))
+        } else {
+            a.mantissa.cmp(&b.mantissa)
+        })
     }
 }
 
@@ -229,17 +175,17 @@ impl Scalar for Scaled {
         let odd = self.exponent & 1;
         let fraction = fraction_of_reciprocal_root(self.mantissa.unsigned_abs() << (1 - odd));
         let half = self.exponent.wrapping_add(odd) / 2;
-        Self::from_bits(self.times_one_and(fraction), self.exponent.wrapping_sub(half).wrapping_sub(62))
+        Self::near::<32>(self.times_one_and(fraction), self.exponent.wrapping_sub(half).wrapping_sub(62))
     }
 
     #[inline]
     fn from_q31(bits: u32) -> Self {
-        Self::from_bits(bits.into(), -31)
+        Self::from_unsigned(bits.into(), -31)
     }
 
     #[inline]
     fn to_q31(self) -> u32 {
-        u32::try_from(self.to_unsigned(31)).unwrap_or(u32::MAX)
+        self.to_u32(31)
     }
 
     #[inline]
