@@ -99,7 +99,7 @@ fn normalize<const F: u32>(v: Lanes) -> Lanes {
 /// Squared sine and cosines of the half vector from integers alone: cross and dot products are exact.
 #[inline]
 fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled) -> Halfway<Scaled> {
-    let exponent = -(F as i32);
+    let (exponent, twice) = const { (-(F as i32), -2 * F as i32) };
     let sum = zip(l, v, |l, v| i64::from(l) + i64::from(v));
     let lacking = zip(l, v, |l, v| i64::from(l) - i64::from(v));
     let square = sum_of_squares(each(sum, |lane| Scaled::from_bits(lane, exponent)));
@@ -109,7 +109,7 @@ fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled) -> Halfway<
         return Halfway { v_dot_h_square: Scaled::ZERO, tilt: Scaled::ZERO, in_plane: Scaled::ZERO };
     }
     let gain_square = gain * gain;
-    let scaled = |bits| Scaled::from_bits(bits, 2 * exponent);
+    let scaled = |bits| Scaled::from_bits(bits, twice);
     let limit = most_tilt();
     // Products of 32 bits, a machine's own, are fewer than those with a sum, which may have 33.
     let turned = zip(cross(n, l), cross(n, v), i64::wrapping_add);
