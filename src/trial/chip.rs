@@ -1,5 +1,12 @@
 //! What calls cost on microcontrollers: instructions, stack and bytes, as `tests/firmware/run` has counted them.
 
+mod inputs;
+
+pub use inputs::{Case, INPUTS, Pixel, WIDTHS, numbers, pairs, pixels};
+
+/// The compiler that has made what is counted: another one may count otherwise.
+pub const RUSTC: &str = include_str!("chip/rustc.txt").trim_ascii();
+
 /// A line for each function, format, author and case.
 pub const TABLE: &str = include_str!("chip/counts.csv");
 

@@ -1,0 +1,90 @@
+//! Functions to link one by one, so that the linked file has their bytes, those of all that they call, and no others.
+//! The name of each is that of its row: function, format and author. `sizes` in `run` links them.
+#![no_std]
+
+#[path = "../calls/mod.rs"]
+mod calls;
+
+use sunglint::Real;
+use sunglint::fixed::types::{I2F14, I2F30, I16F16};
+use sunglint::half::f16;
+use sunglint::highlight::{ConeGgx, DiscGgx, Gloss, PointGgx, ShiftedConeGgx};
+use sunglint::micromath::F32;
+
+use calls::directions::{self, Ray};
+use calls::highlights::{self, Glossy, Lit};
+use calls::sampling::{self, Facing, Matt, Sample};
+use calls::vectors;
+
+/// Exports a function under the name of a row.
+macro_rules! export {
+    ($name:expr, $call:path, $input:ty, $output:ty) => {
+        const _: () = {
+            #[unsafe(export_name = $name)]
+            fn call(input: &$input) -> $output {
+                $call(input)
+            }
+        };
+    };
+}
+
+/// Exports the functions of all formats for the format `T`.
+macro_rules! format {
+    ($format:ty, $name:literal) => {
+        const _: () = {
+            type T = $format;
+            type S = <T as Real>::Scalar;
+            type W = <T as Real>::Wide;
+            type L = <T as Real>::Level;
+            export!(concat!("epic/", $name, "/sunglint"), directions::epic, Ray<T>, [T; 3]);
+            export!(concat!("factored/", $name, "/sunglint"), directions::factored, Ray<T>, [T; 3]);
+            export!(concat!("disc/", $name, "/sunglint"), directions::disc, Ray<T>, [T; 3]);
+            export!(concat!("cap/", $name, "/sunglint"), directions::cap, Ray<T>, [T; 3]);
+            export!(concat!("dot/", $name, "/sunglint"), vectors::dot, [[T; 3]; 2], W);
+            export!(concat!("reflect/", $name, "/sunglint"), vectors::reflect, [[T; 3]; 2], [T; 3]);
+            export!(concat!("normalize/", $name, "/sunglint"), vectors::normalize, [T; 3], [T; 3]);
+            export!(concat!("root/", $name, "/sunglint"), vectors::root, S, S);
+            export!(concat!("basis/", $name, "/sunglint"), sampling::basis, [T; 3], [[T; 3]; 2]);
+            export!(concat!("sin_cos/", $name, "/sunglint"), sampling::sin_cos, S, [S; 2]);
+            export!(concat!("Cone::direction/", $name, "/sunglint"), sampling::cone_direction, Sample<T>, [T; 3]);
+            export!(concat!("relative_illuminance/", $name, "/sunglint"), sampling::relative_illuminance, Facing<T>, S);
+            export!(concat!("lambert/", $name, "/sunglint"), sampling::lambert, Matt<T>, L);
+            type Point = Glossy<T, PointGgx<T>>;
+            type Disc = Glossy<T, DiscGgx<T>>;
+            export!(concat!("none/", $name, "/sunglint"), highlights::shade, Point, Gloss<S>);
+            export!(concat!("karis/", $name, "/sunglint"), highlights::shade, Point, Gloss<S>);
+            export!(concat!("karis/3/", $name, "/sunglint"), highlights::shade, Point, Gloss<S>);
+            export!(concat!("exact_rp/", $name, "/sunglint"), highlights::shade, Point, Gloss<S>);
+            export!(concat!("disc_ggx/", $name, "/sunglint"), highlights::shade, Disc, Gloss<S>);
+            export!(concat!("disc_ggx dir/", $name, "/sunglint"), highlights::shade, Disc, Gloss<S>);
+    export!(concat!("cone_ggx/", $name, "/sunglint"), highlights::shade, Glossy<T, ConeGgx<T>>, Gloss<S>);
+            type Shifted = Glossy<T, ShiftedConeGgx<T>>;
+            export!(concat!("cone_ggx shifted/", $name, "/sunglint"), highlights::shade, Shifted, Gloss<S>);
+    export!(concat!("pixel karis/", $name, "/sunglint"), highlights::pixel, Lit<T, PointGgx<T>>, L);
+    export!(concat!("pixel disc_ggx/", $name, "/sunglint"), highlights::pixel, Lit<T, DiscGgx<T>>, L);
+    export!(concat!("pixel disc_ggx dir/", $name, "/sunglint"), highlights::pixel, Lit<T, DiscGgx<T>>, L);
+    export!(concat!("pixel cone_ggx/", $name, "/sunglint"), highlights::pixel, Lit<T, ConeGgx<T>>, L);
+        };
+    };
+}
+
+format!(f64, "f64");
+format!(f32, "f32");
+format!(F32, "micromath");
+format!(f16, "f16");
+format!(I2F14, "I2F14");
+format!(I2F30, "I2F30");
+format!(I16F16, "I16F16");
+
+export!("reciprocal root/f64/sunglint", vectors::reciprocal_root, f64, f64);
+export!("reciprocal root/f32/sunglint", vectors::reciprocal_root, f32, f32);
+export!("reciprocal root/micromath/sunglint", vectors::reciprocal_root, F32, F32);
+export!("reciprocal root/f16/sunglint", vectors::reciprocal_root, f16, f16);
+export!("reciprocal root/Q31/sunglint", vectors::mantissa_reciprocal_root, u32, u32);
+export!("cap/I2F14/formula", directions::cap_by_formula, Ray<I2F14>, [I2F14; 3]);
+export!("cap/I2F30/formula", directions::cap_by_formula, Ray<I2F30>, [I2F30; 3]);
+
+#[panic_handler]
+fn panicked(_: &core::panic::PanicInfo) -> ! {
+    loop {}
+}
