@@ -2,6 +2,8 @@
 //!
 //! Development only: their versions are pinned here, and none of them is a dependency of the crate.
 
+#![cfg_attr(not(feature = "host"), no_std)]
+
 #[cfg(feature = "host")]
 pub mod callgrind;
 // The study's own clock, so that costs mean the same here and there.
@@ -13,5 +15,6 @@ pub mod clock;
 pub mod contest;
 #[cfg(feature = "host")]
 pub mod glam_f32;
+pub mod kernels;
 #[cfg(feature = "host")]
 pub mod vector_error;
