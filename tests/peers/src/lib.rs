@@ -15,6 +15,10 @@ pub mod clock;
 pub mod contest;
 #[cfg(feature = "host")]
 pub mod glam_f32;
+#[cfg(feature = "host")]
+pub mod kernel_error;
 pub mod kernels;
+#[cfg(feature = "host")]
+pub mod throughput;
 #[cfg(feature = "host")]
 pub mod vector_error;

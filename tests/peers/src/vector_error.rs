@@ -24,7 +24,7 @@ const SAMPLES: usize = 200_000;
 const OPPOSITE: f64 = 1e-6;
 
 /// Radians between the answers and their inputs.
-pub fn normalize(functions: [OfOne; 2]) -> [f64; 2] {
+pub fn normalize<const N: usize>(functions: [OfOne; N]) -> [f64; N] {
     functions.map(|function| {
         let mut found = Found::<3>::new();
         for pair in input::random(1, SAMPLES, 0.0) {
@@ -37,7 +37,7 @@ pub fn normalize(functions: [OfOne; 2]) -> [f64; 2] {
 }
 
 /// Radians between the answers and `2 (n.v) n - v`.
-pub fn reflect(functions: [OfTwo; 2]) -> [f64; 2] {
+pub fn reflect<const N: usize>(functions: [OfTwo; N]) -> [f64; N] {
     functions.map(|function| {
         let mut found = Found::<3>::new();
         for pair in input::random(1, SAMPLES, 0.0) {
@@ -52,7 +52,7 @@ pub fn reflect(functions: [OfTwo; 2]) -> [f64; 2] {
 }
 
 /// Radians between the answers under the Sun and the exact value of the method's formula.
-pub fn direction(method: Method, functions: [OfTwo; 2]) -> [f64; 2] {
+pub fn direction<const N: usize>(method: Method, functions: [OfTwo; N]) -> [f64; N] {
     functions.map(|function| {
         let mut found = Found::<3>::new();
         for pair in input::random(1, SAMPLES, SUN.angular_radius()) {
