@@ -162,9 +162,11 @@ fn matt<T: Real>(albedo: T, illuminance: T::Level, share: T::Scalar) -> T::Level
 /// [`relative_illuminance`] of a disc of up to half the sky.
 #[inline]
 fn of_cap<S: Scalar>(sine: S, x: S) -> S {
-    if sine >= x {
-        return within_one(sine);
-    }
+    if sine >= x { within_one(sine) } else { astride_or_below(sine, x) }
+}
+
+#[inline(never)]
+fn astride_or_below<S: Scalar>(sine: S, x: S) -> S {
     let below = sine < S::ZERO;
     let [depth, x] = [if below { S::ZERO - sine } else { sine }, x].map(|sine| sine * S::constant(SCALE));
     // Not for NaN.

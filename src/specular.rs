@@ -97,7 +97,7 @@ pub fn cap<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
 }
 
 /// [`cap`] by its formula, in every format alike.
-#[inline]
+#[inline(always)]
 pub(crate) fn nearest<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
     let l_dot_r = T::dot(l, r);
     let toward = l_dot_r >= T::WIDE_ZERO;

@@ -324,7 +324,7 @@ impl<T: Float> Real for T {
         let [least, most] = T::SAFE_SQUARE;
         let safe = square >= least && square <= most;
         let (v, square) = if safe { (v, square) } else { rescale(v) };
-        if square <= T::WIDE_ZERO {
+        if !safe && square <= T::WIDE_ZERO {
             return [T::WIDE_ZERO; 3];
         }
         let k = T::over_root(T::ONE, square);
@@ -350,15 +350,25 @@ impl<T: Float> Real for T {
 }
 
 /// `v` over its largest lane, and the square of that; zero where there is no such thing.
-#[cold]
+#[inline]
 fn rescale<T: Float>(v: [T; 3]) -> ([T; 3], T) {
     let zero = T::WIDE_ZERO;
-    let largest = v.into_iter().fold(zero, |most, lane| {
-        let size = if lane < zero { zero - lane } else { lane };
-        if size > most { size } else { most }
-    });
+    let [x, y, z] = v;
+    let largest = largest(x, y, z);
     let v = each(v, |lane| lane / largest);
     let square = T::dot(v, v);
     // NaN where the largest is zero or infinite, and where another lane is NaN.
     if square >= zero { (v, square) } else { ([zero; 3], zero) }
+}
+
+/// The size of the largest lane; zero where all are NaN.
+///
+/// Lanes by themselves, since an array would be handed over in memory, where the usual way would meet it.
+#[cold]
+fn largest<T: Float>(x: T, y: T, z: T) -> T {
+    let zero = T::WIDE_ZERO;
+    [x, y, z].into_iter().fold(zero, |most, lane| {
+        let size = if lane < zero { zero - lane } else { lane };
+        if size > most { size } else { most }
+    })
 }

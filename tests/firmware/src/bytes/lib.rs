@@ -5,8 +5,9 @@
 #[path = "../calls/mod.rs"]
 mod calls;
 
+use peers::kernels::{cordic as cordic_peers, f32 as f32_peers, fixed as fixed_peers, idsp as idsp_peers};
 use sunglint::Real;
-use sunglint::fixed::types::{I2F14, I2F30, I16F16};
+use sunglint::fixed::types::{I2F14, I2F30, I3F29, I16F16, U16F16};
 use sunglint::half::f16;
 use sunglint::highlight::{ConeGgx, DiscGgx, Gloss, PointGgx, ShiftedConeGgx};
 use sunglint::micromath::F32;
@@ -92,6 +93,31 @@ const _: () = {
         raw::normalize_q14(raw::cap_q14(l, r, light))
     }
 };
+
+/// Exports a peer's functions over f32 by its roots.
+macro_rules! peer_f32 {
+    ($by:literal, $roots:ty) => {
+        export!(concat!("factored/f32/", $by), f32_peers::factored::<$roots>, f32_peers::Ray, [f32; 3]);
+        export!(concat!("cap/f32/", $by), f32_peers::cap::<$roots>, f32_peers::Ray, [f32; 3]);
+        export!(concat!("normalize/f32/", $by), f32_peers::normalize::<$roots>, [f32; 3], [f32; 3]);
+        export!(concat!("root/f32/", $by), f32_peers::root::<$roots>, f32, f32);
+        export!(concat!("reciprocal root/f32/", $by), f32_peers::reciprocal_root::<$roots>, f32, f32);
+    };
+}
+
+peer_f32!("libm 0.2.16", f32_peers::Libm);
+peer_f32!("micromath 2.1.0", f32_peers::Micromath);
+export!("dot/I2F14/fixed 1.31.0", fixed_peers::dot, [[I2F14; 3]; 2], I2F14);
+export!("dot/I2F30/fixed 1.31.0", fixed_peers::dot, [[I2F30; 3]; 2], I2F30);
+export!("dot/I16F16/fixed 1.31.0", fixed_peers::dot, [[I16F16; 3]; 2], I16F16);
+export!("normalize/I2F14/fixed 1.31.0", fixed_peers::normalize, [I2F14; 3], [I2F14; 3]);
+export!("normalize/I2F30/fixed 1.31.0", fixed_peers::normalize, [I2F30; 3], [I2F30; 3]);
+export!("normalize/I16F16/fixed 1.31.0", fixed_peers::normalize, [I16F16; 3], [I16F16; 3]);
+export!("root/U16F16/fixed 1.31.0", fixed_peers::root, U16F16, U16F16);
+export!("reciprocal root/U16F16/fixed 1.31.0", fixed_peers::reciprocal_root, U16F16, U16F16);
+export!("root/I16F16/cordic 0.1.5", cordic_peers::root, I16F16, I16F16);
+export!("sin_cos/I3F29/cordic 0.1.5", cordic_peers::sin_cos, I3F29, [I3F29; 2]);
+export!("sin_cos/Q31/idsp 0.23.1", idsp_peers::sin_cos, i32, [i32; 2]);
 
 #[panic_handler]
 fn panicked(_: &core::panic::PanicInfo) -> ! {

@@ -2,6 +2,7 @@
 
 mod directions;
 mod highlights;
+mod peers;
 mod sampling;
 mod vectors;
 
@@ -18,6 +19,7 @@ pub fn count(counter: &Counter) {
     vectors::of_floats(counter);
     vectors::of_mantissas(counter);
     directions::by_formula(counter);
+    peers::count(counter);
 }
 
 struct InFormat<'a> {

@@ -12,15 +12,22 @@ use crate::row::Row;
 
 pub fn count<T: Real>(counter: &Counter) {
     let row = |function| Row { function, format: T::NAME, by: "sunglint", case: "any" };
-    let couples = all(pairs(Case::Outside).map(|pair| [rounded::<T>(pair.l), rounded(pair.r)]));
-    row("dot").count(counter, vectors::dot, &couples);
-    row("reflect").count(counter, vectors::reflect, &couples);
-    // Lengths from 1/10 to 1.1.
+    row("dot").count(counter, vectors::dot, &couples::<T>());
+    row("reflect").count(counter, vectors::reflect, &couples::<T>());
+    row("normalize").count(counter, vectors::normalize, &long::<T>());
+    row("root").count(counter, vectors::root, &squares::<T::Scalar>());
+}
+
+/// Two unit vectors each.
+pub fn couples<T: Real>() -> [[[T; 3]; 2]; INPUTS] {
+    all(pairs(Case::Outside).map(|pair| [rounded::<T>(pair.l), rounded(pair.r)]))
+}
+
+/// Vectors of lengths from 1/10 to 1.1.
+pub fn long<T: Real>() -> [[T; 3]; INPUTS] {
     let mut lengths = of_numbers(|[length, ..]| 0.1 + length).into_iter();
     let long = |v: [f64; 3], length: f64| v.map(|lane| lane * length);
-    let any = all(pairs(Case::Outside).map(|pair| rounded::<T>(long(pair.r, lengths.next().unwrap_or(1.0)))));
-    row("normalize").count(counter, vectors::normalize, &any);
-    row("root").count(counter, vectors::root, &squares::<T::Scalar>());
+    all(pairs(Case::Outside).map(|pair| rounded::<T>(long(pair.r, lengths.next().unwrap_or(1.0)))))
 }
 
 /// What floats have as a function of their own.
@@ -43,10 +50,12 @@ pub fn of_mantissas(counter: &Counter) {
     row.count(counter, vectors::mantissa_reciprocal_root, &of_numbers(mantissa));
 }
 
-/// Numbers from 1/1000 to 1000, as many of each power of ten.
 fn squares<S: Scalar>() -> [S; INPUTS] {
-    of_numbers(|[digits, exponent, _]| {
-        let tens = [1e-3, 1e-2, 1e-1, 1.0, 10.0, 100.0][(6.0 * exponent) as usize];
-        S::nearest(tens * (1.0 + 9.0 * digits))
-    })
+    of_numbers(|numbers| S::nearest(square(numbers)))
+}
+
+/// A number from 1/1000 to 1000, each power of ten as often.
+pub fn square([digits, exponent, _]: [f64; 3]) -> f64 {
+    let tens = [1e-3, 1e-2, 1e-1, 1.0, 10.0, 100.0][(6.0 * exponent) as usize];
+    tens * (1.0 + 9.0 * digits)
 }
