@@ -2,7 +2,7 @@
 
 /// Whether the machine has no product of 64 bits: Cortex-M0 and M0+, and Thumb of ARM7, which are also those without
 /// compare-and-swap.
-const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+pub(crate) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// The product of two numbers of 32 bits.
 #[inline(always)]
