@@ -92,7 +92,8 @@ fn root_of(y: Quarters, lift: u32) -> u32 {
 fn reciprocal_root_of(y: Quarters, lift: u32) -> u32 {
     // Q30, of which seven bits are more than f32 has, within one.
     let root = whole_reciprocal_root(y.mantissa);
-    let nearest = if root.wrapping_sub(63) & 127 > 2 { root.wrapping_add(64) >> 7 } else { decided(y.mantissa, root >> 7) };
+    let nearest =
+        if root.wrapping_sub(63) & 127 > 2 { root.wrapping_add(64) >> 7 } else { decided(y.mantissa, root >> 7) };
     (189_u32.wrapping_sub(y.half).wrapping_add(lift) << 23).wrapping_add(nearest)
 }
 

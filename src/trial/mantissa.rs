@@ -8,7 +8,7 @@ pub fn reciprocal_root(m: u32) -> u32 {
     root::reciprocal_root(m)
 }
 
-/// `2^32 (1 / sqrt(m / 2^32) - 1)` for `m` from `2^30`, by which `Scaled` takes roots: within 0.66 of the last place;
+/// `2^32 (1 / sqrt(m / 2^32) - 1)` for `m` from `2^30`, by which `Scaled` takes roots: within 0.65 of the last place;
 /// one less for `m = 2^30`.
 pub fn fraction_of_reciprocal_root(m: u32) -> u32 {
     root::fraction_of_reciprocal_root(m)
