@@ -123,7 +123,7 @@ const fn lines() -> [u32; CELLS] {
     lines
 }
 
-/// By how much lines fall less than chords, in Q14: what the cubic step leaves of an error grows with the root, and so is
+/// By how much lines fall less than chords, in Q14: what the cubic step leaves of an error grows with the root, and is
 /// greatest at the start of the first cell, where 1/sqrt is steepest. Found by trying.
 const FLATTER: f64 = 10.0;
 

@@ -1,5 +1,5 @@
-//! f32 in integers: directions against the oracle, beside what float arithmetic makes of the same inputs, and the special
-//! cases.
+//! f32 in integers: directions against the oracle, beside what float arithmetic makes of the same inputs, and the
+//! special cases.
 
 #[allow(dead_code, reason = "only the samples and the bound are of use here")]
 mod exact;

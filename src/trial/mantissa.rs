@@ -3,7 +3,8 @@
 
 use crate::{reciprocal, root};
 
-/// `2^31 / sqrt((m + 1/2) / 2^32)` for `m` from `2^30`, by which fixed point normalises: within 0.573 of the last place.
+/// `2^31 / sqrt((m + 1/2) / 2^32)` for `m` from `2^30`, by which fixed point normalises: within 0.573 of the
+/// last place.
 pub fn reciprocal_root(m: u32) -> u32 {
     root::reciprocal_root(m)
 }
