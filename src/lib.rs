@@ -14,6 +14,7 @@
 //! | [`sampling`], [`shadow`] | directions of the disc and their density; soft shadows by the caller's visibility |
 //! | [`radiometry`], [`blackbody`] | power, intensity, irradiance, radiance; Planck's law and tints |
 //! | [`raw`] | the same on raw bits |
+//! | [`soft`] | f32 in integers, for chips without an FPU: roots, directions |
 //!
 //! ```
 //! use sunglint::{DistantSphere, SUN, cap, reflect};
@@ -68,7 +69,7 @@ mod exponential;
 pub mod highlight;
 pub mod light;
 pub mod material;
-#[cfg(feature = "fixed")]
+#[cfg(any(feature = "fixed", target_arch = "arm", target_arch = "riscv32"))]
 mod multiply;
 pub mod normalization;
 #[cfg(feature = "oracle")]
@@ -81,12 +82,14 @@ pub mod raw;
 pub mod real;
 #[cfg(feature = "fixed")]
 mod reciprocal;
-#[cfg(feature = "fixed")]
+#[cfg(any(feature = "fixed", target_arch = "arm", target_arch = "riscv32"))]
 mod root;
 pub mod sampling;
 #[cfg(feature = "heapless")]
 pub mod scene;
 pub mod shadow;
+#[cfg(feature = "fixed")]
+pub mod soft;
 pub mod specular;
 pub mod sphere;
 #[cfg(feature = "oracle")]

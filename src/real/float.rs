@@ -58,6 +58,20 @@ pub(crate) const fn pair_f32([value, low]: [f64; 2]) -> [f32; 2] {
     [high, ((value - high as f64) + low) as f32]
 }
 
+/// The root of f32, correctly rounded: libm's has an instruction for it on some machines.
+#[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
+#[inline(always)]
+fn root(x: f32) -> f32 {
+    libm::sqrtf(x)
+}
+
+/// The root of f32, correctly rounded, hence the same bits.
+#[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
+#[inline]
+fn root(x: f32) -> f32 {
+    f32::from_bits(crate::root::single::root(x.to_bits()))
+}
+
 impl Scalar for f64 {
     const ZERO: Self = 0.0;
 
@@ -156,7 +170,7 @@ impl Scalar for f32 {
 
     #[inline]
     fn root(self) -> Self {
-        libm::sqrtf(self)
+        root(self)
     }
 
     #[inline]
@@ -197,7 +211,7 @@ impl Float for f32 {
 
     #[inline]
     fn over_root(length: Self, square: Self) -> Self {
-        length / libm::sqrtf(square)
+        length / root(square)
     }
 }
 

@@ -10,7 +10,7 @@ use sunglint::normalization::{radiance, sun_radius_at};
 use sunglint::oracle::planck::Law;
 use sunglint::sampling::sin_cos;
 use sunglint::trial::quantity::Quantity;
-use sunglint::{DistantSphere, Float, LightError, Real};
+use sunglint::{DistantSphere, Float, LightError, Real, soft};
 
 /// A float that is tried bit by bit.
 pub trait Bits: Float {
@@ -140,6 +140,32 @@ pub fn root<T: Bits>(bits: u64) -> f64 {
         only(!root.exact().is_finite())
     } else {
         only(root.exact().is_nan() || root.exact() == 0.0)
+    }
+}
+
+/// Roots in integers, which are the same bits as libm's; of what is not a number any NaN will do.
+pub fn soft_root(bits: u64) -> f64 {
+    let value = f32::of(bits);
+    let (answer, libm) = (soft::root(value), libm::sqrtf(value));
+    let same = answer.to_bits() == libm.to_bits() || (answer.is_nan() && libm.is_nan());
+    if !same {
+        return f64::NAN;
+    }
+    if value > 0.0 && value.is_finite() { ulps(answer, f64::from(value).sqrt()) } else { 0.0 }
+}
+
+/// Reciprocal roots in integers, and IEEE 754's special cases of them.
+pub fn soft_reciprocal_root(bits: u64) -> f64 {
+    let value = f32::of(bits);
+    let answer = soft::reciprocal_root(value);
+    if value > 0.0 && value.is_finite() {
+        ulps(answer, 1.0 / f64::from(value).sqrt())
+    } else if value == 0.0 {
+        only(answer.is_infinite() && answer.is_sign_negative() == value.is_sign_negative())
+    } else if value == f32::INFINITY {
+        only(answer.to_bits() == 0)
+    } else {
+        only(answer.is_nan())
     }
 }
 

@@ -7,7 +7,7 @@ use sunglint::normalization::{
     inverse_size_factor_q30, size_factor_q30, solid_angle_q30, sun_radius_at_q16, versine_q30, white_radiance_q30,
 };
 use sunglint::oracle::planck::Law;
-use sunglint::raw::{normalize_q14, relative_to_peak_frequency_q16, relative_to_peak_q16};
+use sunglint::raw::{normalize_q14, reciprocal_root_q16, relative_to_peak_frequency_q16, relative_to_peak_q16};
 use sunglint::real::Scaled;
 use sunglint::trial::found::worse;
 use sunglint::trial::quantity::Quantity;
@@ -59,9 +59,11 @@ fn mantissas() -> Vec<Kernel> {
         f64::from(mantissa::fraction_of_reciprocal(m as u32)) - held(TWO_32 * (TWO_32 / 2.0) / m as f64 - TWO_32)
     };
     vec![
-        kernel(["reciprocal_root", "Q31", "ULP"], [least, ALL[1]], 0.58, |m| {
+        // On chips without products of 64 bits it is made of halves, and so are all that are made of the same parts.
+        kernel(["reciprocal_root", "Q31", "ULP"], [least, ALL[1]], 0.573, |m| {
+            let [words, halves] = mantissa::by_words_and_halves(m as u32);
             let exact = TWO_32 / 2.0 / ((m as f64 + 0.5) / TWO_32).sqrt();
-            f64::from(mantissa::reciprocal_root(m as u32)) - exact
+            if words == halves { f64::from(mantissa::reciprocal_root(m as u32)) - exact } else { f64::NAN }
         }),
         kernel(["fraction_of_reciprocal_root", "Q32", "ULP"], [least, ALL[1]], 0.65, move |m| {
             let exact = TWO_32 / (m as f64 / TWO_32).sqrt() - TWO_32;
@@ -94,6 +96,16 @@ fn roots() -> Vec<Kernel> {
         kernel(["root", "f32", "ULP"], ALL, 0.51, floats::root::<f32>),
         kernel(["root", "f16", "ULP"], ALL_16, 0.51, floats::root::<f16>),
         kernel(["root", "micromath", "ULP"], ALL, 87.0, floats::root::<F32>),
+        // Correctly rounded: the roots in f64 are nearer to the truth than that is to the middle between two f32.
+        kernel(["soft::root", "f32", "ULP"], ALL, 0.5, floats::soft_root),
+        kernel(["soft::reciprocal_root", "f32", "ULP"], ALL, 0.5, floats::soft_reciprocal_root),
+        kernel(["reciprocal_root_q16", "U16F16", "ULP"], ALL, 0.5003, |bits| {
+            let answer = reciprocal_root_q16(bits as u32);
+            if bits == 0 {
+                return if answer == u32::MAX { 0.0 } else { f64::NAN };
+            }
+            f64::from(answer) - f64::from(1 << 24) / (bits as f64).sqrt()
+        }),
     ]
 }
 

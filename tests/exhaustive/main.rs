@@ -134,6 +134,9 @@ proofs! {
     reciprocal: "reciprocal";
     quotient: "quotient, any dividend";
     root: "root";
+    soft_root: "soft::root";
+    soft_reciprocal_root: "soft::reciprocal_root";
+    reciprocal_root_q16: "reciprocal_root_q16";
     versine: "versine";
     solid_angle: "solid_angle";
     size_factor: "size_factor";

@@ -13,7 +13,7 @@ use sunglint::material::{Material, Surface};
 use sunglint::raw::{self, SUN_Q14, SUN_Q30};
 use sunglint::real::{Constant, Scaled};
 use sunglint::scene::Channel;
-use sunglint::{DistantSphere, SUN, highlight, normalization};
+use sunglint::{DistantSphere, SUN, highlight, normalization, soft};
 
 use image::keep;
 
@@ -29,6 +29,7 @@ pub extern "C" fn _start() -> ! {
         raw_q14();
         raw_q30();
         raw_quantities();
+        soft_floats();
         raw_scenes();
         image::plant();
     }
@@ -84,6 +85,12 @@ fn raw_quantities() {
     let (a, b, c, cos) = black_box((0_u32, 0_u32, 0_u32, 0_i16));
     keep((raw::irradiance_q16(a, cos, b), raw::diffuse_radiance_q16(cos, a), raw::area_radiance_q16(a, b, c)));
     keep((raw::relative_to_peak_q16(a), raw::relative_to_peak_frequency_q16(a), raw::tint_q16(a, [a, b, c])));
+}
+
+fn soft_floats() {
+    let (l, r, x) = black_box(([0.0; 3], [0.0; 3], 0.0));
+    keep((soft::cap(l, r, &black_box(SUN_Q30)), soft::reflect(l, r), soft::normalize(l)));
+    keep((soft::root(x), soft::reciprocal_root(x), raw::reciprocal_root_q16(black_box(0))));
 }
 
 /// The whole pixel by the default highlight; the others are in `generic`.
