@@ -1,7 +1,6 @@
 //! f32 in integers: directions against the oracle, beside what float arithmetic makes of the same inputs, and the
 //! special cases.
 
-#[allow(dead_code, reason = "only the samples and the bound are of use here")]
 mod exact;
 
 use exact::assert_tight;
