@@ -92,6 +92,8 @@ pub mod sphere;
 #[cfg(feature = "oracle")]
 pub mod trial;
 mod vec3;
+#[cfg(feature = "fixed")]
+mod zeros;
 
 #[cfg(feature = "fixed")]
 pub use fixed;

@@ -12,6 +12,7 @@ use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 
 use super::{Halfway, Real, STEEP_COSINE, Scalar, Scaled, at_most, most_tilt, positive};
 use crate::constant;
+use crate::multiply::signed;
 use crate::root::reciprocal_root;
 use crate::sphere::DistantSphere;
 use crate::vec3::{each, zip};
@@ -32,7 +33,7 @@ const fn round_shift(acc: i64, shift: u32) -> i64 {
 
 #[inline]
 fn dot(a: Lanes, b: Lanes) -> i64 {
-    let [x, y, z] = zip(a, b, |a, b| i64::from(a).wrapping_mul(i64::from(b)));
+    let [x, y, z] = zip(a, b, signed);
     x.wrapping_add(y).wrapping_add(z)
 }
 
