@@ -17,7 +17,7 @@ use crate::zeros::even_zeros;
 pub(super) fn normalize(v: Lanes) -> Lanes {
     match unit(sum_of_squares(v)) {
         // At half of its length the vector fills 32 bits with their sign.
-        Some((mantissa, half)) => each(v, |lane| rounded_high(lane << ((half - 1) & 31), mantissa)),
+        Some((mantissa, half)) => each(v, |lane| rounded_high(lane.wrapping_shl(half.wrapping_sub(1)), mantissa)),
         None => of_any_length(v),
     }
 }
@@ -95,7 +95,7 @@ fn rim<const TOWARD: bool>(
     }
     let (mantissa, half) = unit(square)?;
     let [high, low] = words(light.sin as u64);
-    let sin = (high << ((half + 2) & 31)) | (low >> (30_u32.wrapping_sub(half) & 31));
+    let sin = high.wrapping_shl(half.wrapping_add(2)) | low.wrapping_shr(30_u32.wrapping_sub(half));
     let [high, low] = words(wide(sin, mantissa));
     // Of Q31, and by a rounding it may be above 1; less 1 it has room for that in a signed word.
     let k = high.wrapping_add(low >> 31);
@@ -123,7 +123,7 @@ fn unit(square: u64) -> Option<(u32, u32)> {
     if even == 0 {
         return None;
     }
-    let mantissa = reciprocal_root((high << even) | (low >> 1 >> (31 - even)));
+    let mantissa = reciprocal_root(high.wrapping_shl(even) | (low >> 1).wrapping_shr(31_u32.wrapping_sub(even)));
     Some((mantissa, even / 2))
 }
 
