@@ -33,7 +33,7 @@ const fn round_shift(acc: i64, shift: u32) -> i64 {
 
 #[inline]
 fn dot(a: Lanes, b: Lanes) -> i64 {
-    let [x, y, z] = zip(a, b, |a, b| i64::from(a).wrapping_mul(i64::from(b)));
+    let [x, y, z] = zip(a, b, signed);
     x.wrapping_add(y).wrapping_add(z)
 }
 
