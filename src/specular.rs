@@ -76,7 +76,8 @@ pub fn disc<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 3] {
 /// The rim of discs between 44 and 136 degrees is told by its cosine.
 ///
 /// At `r = -l` every direction on the rim is as near: the answer is `l`; for the full sphere it is `r`. Within a step
-/// of the format of `-l` it is some direction of the rim, in f16 up to `2.3e-2 x` beyond it. For `x = 0` the answer is
+/// of the format of `-l` it is some direction of the rim, in f16 up to `2.3e-2 x` beyond it; within half a step of
+/// I2F14 it is `l`. For `x = 0` the answer is
 /// `l`, but `r` where the two are parallel to within a step of the format. A zero `r` gives zero, a zero `l` gives `x
 /// r`. Where `r` is not finite the answer is `l`; where `l` is not finite, or longer than 2, it is zero.
 ///

@@ -5,7 +5,7 @@
 //! the tangent is ever formed, and its rounding is spared. `|s|^2` is `|e|^2 - (e.l)^2` with `e = r - l`, or `r + l`
 //! behind the light, all from three dot products and without cancellation. Lengths may be a rounding off 1, which
 //! counts in neither: twice that, times the square of `e.l`, is below what `|s|^2` is rounded to for small discs, and
-//! large ones are told by their cosine. Within a quarter of a step of `-l` the answer is `l`.
+//! large ones are told by their cosine. Within half a step of `-l` the answer is `l`.
 
 use fixed::types::I2F14;
 
@@ -21,14 +21,14 @@ type Vector = [I2F14; 3];
 /// 1 in Q28.
 const ONE: i32 = I2F14::WIDE_ONE;
 
-/// The square in Q30 up to which a tangent behind the light counts as short, 256 steps of Q14: there its length needs
+/// The square in Q30 up to which a tangent behind the light counts as short, 222 steps of Q14: there its length needs
 /// more digits than its square has. A zero `r` counts as one, too.
-const SHORT: i32 = 1 << 18;
+const SHORT: i32 = 3 << 16;
 
-/// The square in Q42 of a quarter of a step, below which a tangent has no direction.
-const SHORTEST: i32 = 1 << 10;
+/// The square in Q44 of half a step, below which a tangent has no direction.
+const SHORTEST: u32 = 1 << 14;
 
-/// [`Real::normalize`](crate::real::Real::normalize) on bits: each lane within 0.77 of the last place
+/// [`Real::normalize`](crate::real::Real::normalize) on bits: each lane within 0.78 of the last place
 /// (`tests/exhaustive`, `tests/q14.rs`).
 #[inline]
 pub(super) fn normalize(v: Lanes) -> Lanes {
@@ -88,21 +88,29 @@ impl Dots {
             return self.along >= light.cos;
         }
         // The full sphere's cosine is given as -2.
-        self.along >= 0 || !self.is_within(light) || light.cos < 2 * behind
+        self.along >= 0 || !self.is_within(light) || light.cos >> 28 < -1
     }
 
-    /// A Q28 or Q42 number over `l.l`, for an `l` about as long as 1.
+    /// `l.r / l.l` in Q30, for an `l` about as long as 1.
     #[inline]
-    fn over_length(&self, number: i32) -> i32 {
-        number.wrapping_add((number >> 14).wrapping_mul(ONE.wrapping_sub(self.length)) >> 14)
+    fn projection(&self) -> i32 {
+        (self.along << 2).wrapping_add((self.along >> 14).wrapping_mul(ONE.wrapping_sub(self.length)) >> 12)
     }
 
-    /// `|s|^2` in Q42 of a tangent that is [`SHORT`]: by `|l x r|^2 = l.l r.r - (l.r)^2`, which is exact in Q56.
+    /// The same where `r` is beside `-l`, to the last bit: the part of `r + l`, which is small, less 1.
     #[inline]
-    fn fine_square(&self, across: i32) -> i32 {
+    fn fine_projection(&self) -> i32 {
+        let (part, lacking) = (self.along.wrapping_add(self.length), ONE.wrapping_sub(self.length));
+        (part << 2).wrapping_add((part >> 4).wrapping_mul(lacking) >> 22).wrapping_sub(ONE << 2)
+    }
+
+    /// `|s|^2` in Q44 of a tangent that is [`SHORT`]: `|l x r|^2 = l.l r.r - (l.r)^2`, exact in Q56, over `l.l`.
+    #[inline]
+    fn fine_square(&self, across: i32) -> u32 {
         let part = self.along.unsigned_abs();
-        let square = wide(self.length as u32, across as u32).wrapping_sub(wide(part, part));
-        self.over_length((square >> 14) as i32)
+        let square = (product(self.length as u32, across as u32).wrapping_sub(product(part, part)) >> 12) as u32;
+        let lacking = ((square >> 16) as i32).wrapping_mul(ONE.wrapping_sub(self.length)) >> 12;
+        square.wrapping_add(lacking as u32)
     }
 }
 
@@ -114,19 +122,19 @@ fn outside(l: &Vector, r: &Vector, light: &DistantSphere<I2F14>, dots: &Dots) ->
     if light.cos < ahead && dots.is_inside_large(light) {
         return packed(each(*r, I2F14::to_bits));
     }
-    let (mut square, mut quadruplings) = (dots.square, 0);
-    if dots.along <= 0 && square < SHORT {
+    let (mut square, mut quadruplings, mut q) = (dots.square as u32, 0, dots.projection());
+    if dots.along <= 0 && dots.square < SHORT {
         let across = dot(each(*r, Lane::bits), each(*r, Lane::bits));
         if across == 0 {
             return 0;
         }
-        (square, quadruplings) = (dots.fine_square(across), 6);
+        (square, quadruplings, q) = (dots.fine_square(across), 7, dots.fine_projection());
         if square < SHORTEST {
             return packed(each(*l, I2F14::to_bits));
         }
     }
-    let (half, root) = reciprocal_root(square as u32);
-    rim(l, r, light, dots.over_length(dots.along), (half.wrapping_add(quadruplings), root))
+    let (half, root) = reciprocal_root(square);
+    rim(l, r, light, q, (half.wrapping_add(quadruplings), root))
 }
 
 /// `l + k r + (-w - k q) l` with `k = x / |s|`. What the small discs add to `l` is in Q33 a number of 32 bits, though
@@ -139,7 +147,7 @@ fn rim(l: &Vector, r: &Vector, light: &DistantSphere<I2F14>, q: i32, (half, root
     let x = light.sin.wrapping_shr(28 - n).wrapping_sub(light.sin >> 28) as u32;
     let k = x.wrapping_mul(root).wrapping_shr(16_u32.wrapping_sub(half));
     // k (q + 2), lest it be negative.
-    let kq = (wide(k, q.wrapping_add(2 * ONE) as u32) >> 28) as u32;
+    let kq = (product(k, (q as u32).wrapping_add(1 << 31)) >> 30) as u32;
     let versine = light.versine.wrapping_shr(28 - n) as u32;
     let d = k.wrapping_mul(2).wrapping_sub(kq).wrapping_sub(versine) as i32;
     let lane = |l: I2F14, r: I2F14| {
@@ -154,6 +162,13 @@ fn rim(l: &Vector, r: &Vector, light: &DistantSphere<I2F14>, q: i32, (half, root
 fn dot(a: Lanes, b: Lanes) -> i32 {
     let product = |lane: usize| a[lane].wrapping_mul(b[lane]);
     product(0).wrapping_add(product(1)).wrapping_add(product(2))
+}
+
+/// [`wide`]; where that takes four products, one copy of them has to do.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+fn product(a: u32, b: u32) -> u64 {
+    wide(a, b)
 }
 
 #[inline(always)]

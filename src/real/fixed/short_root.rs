@@ -1,9 +1,9 @@
-//! The reciprocal square root to 16 bits, in products of 32: a table of 128 bytes and one step of Newton's.
+//! The reciprocal square root to 16 bits, in products of 32: a table of 96 bytes and one step of Newton's.
 
 use crate::constant;
 
-/// One for each of the top five bits of a mantissa; those below 1/4, which no mantissa has, are zero.
-const CELLS: usize = 32;
+/// One for each of the top five bits that a mantissa in [1/4, 1) can have.
+const CELLS: usize = 24;
 
 /// The line beside `1/sqrt(y)` over each cell: its value at the cell's start in Q23, and in the low eight bits its fall
 /// over the cell in Q11. What the fall adds to the value is far below the seed's last bit.
@@ -12,22 +12,29 @@ const LINES: [u32; CELLS] = lines();
 /// Whether the machine has no instruction that counts leading zeros: Cortex-M0 and M0+.
 const NO_COUNT: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
-/// `half` and `2^(31 - half) / sqrt(square) 2^half`, which lies from `2^15` to `2^16`, of `square` in `[1, 2^32)`:
+/// `half` and `2^(31 - half) / sqrt(square) 2^half`, which lies from `2^15` to `2^16`, of a `square` above 0:
 /// `half` is how often it is to be doubled twice to be at least `2^30`.
 ///
-/// Within 1 of the exact value, and within 0.6 where it is below `1.2 * 2^15`. The root of zero is any number.
+/// Within 1 of the exact value, and within 0.6 where it is below `1.2 * 2^15`. That of zero is that of 1.
 // Where there is little flash, one of it has to do; elsewhere a call costs a tenth of all.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) fn reciprocal_root(square: u32) -> (u32, u32) {
-    let half = if NO_COUNT { counted(square) } else { square.leading_zeros() >> 1 };
-    (half, root(square.wrapping_shl(2 * half)))
+    let square = square.max(1);
+    let (half, mantissa) = if NO_COUNT { compared(square) } else { counted(square) };
+    (half, root(mantissa))
 }
 
-/// Half of the leading zeros by comparing: most vectors are about as long as 1.
 #[inline(always)]
-const fn counted(square: u32) -> u32 {
-    let (mut square, mut half) = (square | 1, 0);
+const fn counted(square: u32) -> (u32, u32) {
+    let half = square.leading_zeros() >> 1;
+    (half, square.wrapping_shl(2 * half))
+}
+
+/// The same by comparing: most vectors are about as long as 1.
+#[inline(always)]
+const fn compared(mut square: u32) -> (u32, u32) {
+    let mut half = 0;
     while square < 1 << 22 {
         square <<= 8;
         half += 4;
@@ -36,14 +43,13 @@ const fn counted(square: u32) -> u32 {
         square <<= 2;
         half += 1;
     }
-    half
+    (half, square)
 }
 
 /// `2^31 / sqrt(m)` of `m` in `[2^30, 2^32)`.
 #[inline(always)]
 fn root(m: u32) -> u32 {
-    // The index has five bits.
-    let line = LINES[(m >> 27) as usize];
+    let line = LINES.get((m >> 27).wrapping_sub(8) as usize).copied().unwrap_or_default();
     // In Q11, so that the square is exact in 24 bits.
     let seed = line.wrapping_sub((line & 0xff).wrapping_mul((m << 5) >> 12)) >> 20;
     // How much y seed^2 is above 1. It is under 2^-9, hence in Q40 a number of 32 bits, of which 16 will do.
@@ -54,9 +60,9 @@ fn root(m: u32) -> u32 {
 
 const fn lines() -> [u32; CELLS] {
     let mut lines = [0; CELLS];
-    let mut cell = CELLS / 4;
+    let mut cell = 0;
     while cell < CELLS {
-        lines[cell] = line(cell as f64 / CELLS as f64, (cell + 1) as f64 / CELLS as f64);
+        lines[cell] = line((cell + 8) as f64 / 32.0, (cell + 9) as f64 / 32.0);
         cell += 1;
     }
     lines
@@ -84,13 +90,13 @@ const fn line(from: f64, to: f64) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{counted, reciprocal_root};
+    use super::{compared, counted, reciprocal_root};
 
     #[test]
     fn leading_zeros_by_comparing_are_the_same() {
         for bit in 0..32 {
             for square in [1_u32 << bit, (1 << bit) | ((1_u64 << bit) - 1) as u32] {
-                assert_eq!(counted(square), square.leading_zeros() / 2, "{square:#x}");
+                assert_eq!(compared(square), counted(square), "{square:#x}");
             }
         }
     }
