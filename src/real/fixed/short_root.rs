@@ -16,7 +16,7 @@ const NO_COUNT: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32
 /// `half` is how often it is to be doubled twice to be at least `2^30`.
 ///
 /// Within 1 of the exact value, and within 0.6 where it is below `1.2 * 2^15`. That of zero is that of 1.
-// Where there is little flash, one of it has to do; elsewhere a call costs a tenth of all.
+// Where there is little flash, one copy has to do, at the price of a call.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) fn reciprocal_root(square: u32) -> (u32, u32) {
