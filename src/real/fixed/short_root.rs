@@ -15,7 +15,7 @@ const NO_COUNT: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32
 /// `half` and `2^(31 - half) / sqrt(square) 2^half`, which lies from `2^15` to `2^16`, of a `square` above 0:
 /// `half` is how often it is to be doubled twice to be at least `2^30`.
 ///
-/// Within 1 of the exact value, and within 0.6 where it is below `1.2 * 2^15`. That of zero is that of 1.
+/// Within 1 of the exact value, and within 0.61 where it is below `1.2 * 2^15`. That of zero is that of 1.
 // Where there is little flash, one copy has to do, at the price of a call.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
@@ -118,7 +118,7 @@ mod tests {
         assert!(all < 1.0 && all > 0.9, "{all}");
         // sqrt(m) = 2^16 / 1.2.
         let small = worst(2_982_616_178, u32::MAX);
-        assert!(small < 0.6 && small > 0.5, "{small}");
+        assert!(small < 0.61 && small > 0.5, "{small}");
     }
 
     #[test]
