@@ -28,7 +28,7 @@ pub(super) fn reciprocal_root(square: u32) -> (u32, u32) {
 #[inline(always)]
 const fn counted(square: u32) -> (u32, u32) {
     let half = square.leading_zeros() >> 1;
-    (half, square.wrapping_shl(2 * half))
+    (half, square.wrapping_shl(half.wrapping_mul(2)))
 }
 
 /// The same by comparing: most vectors are about as long as 1.
@@ -37,11 +37,11 @@ const fn compared(mut square: u32) -> (u32, u32) {
     let mut half = 0;
     while square < 1 << 22 {
         square <<= 8;
-        half += 4;
+        half = u32::wrapping_add(half, 4);
     }
     while square < 1 << 30 {
         square <<= 2;
-        half += 1;
+        half = u32::wrapping_add(half, 1);
     }
     (half, square)
 }
