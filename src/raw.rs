@@ -61,7 +61,7 @@ pub fn sphere_q30(ratio: i32) -> Result<SphereQ30, LightError> {
     SphereQ30::from_ratio_q30(I2F30::from_bits(ratio))
 }
 
-/// [`cap`](specular::cap) in Q14. Worst error at the Sun 5.8e-5 rad, the step of Q14 being 6.1e-5.
+/// [`cap`](specular::cap) in Q14. Worst error at the Sun 6.2e-5 rad, the step of Q14 being 6.1e-5.
 pub fn cap_q14(l: [i16; 3], r: [i16; 3], light: &SphereQ14) -> [i16; 3] {
     each(specular::cap(q14(l), q14(r), light), I2F14::to_bits)
 }

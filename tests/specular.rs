@@ -126,13 +126,13 @@ fn epic_is_nan_at_the_sun_in_f16_and_lost_in_fixed_point() {
 }
 
 /// The accuracy that makes each format good for the Sun; held also where `r` is as near to `-l` as the format can say
-/// (f16: a tenth of a step).
+/// (f16: a tenth of a step; I2F14: half of one, within which the answer is `l`).
 #[test]
 fn cap_at_the_sun_is_good_enough_at_every_angle() {
     let needed = [
         (Format::F32, 8e-8, 0.0),
         (Format::F16, 4.5e-4, 0.1),
-        (Format::I2F14, 1.0e-4, 0.0),
+        (Format::I2F14, 1.0e-4, 0.5),
         (Format::I2F30, 2.1e-9, 0.0),
         (Format::I16F16, 2.8e-5, 0.0),
     ];

@@ -7,6 +7,7 @@
 mod q14;
 mod q16;
 mod q30;
+mod short_root;
 
 use fixed::types::{I2F14, I2F30, I16F16, U16F16, U32F32};
 

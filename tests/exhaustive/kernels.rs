@@ -260,7 +260,7 @@ fn pairs() -> Vec<Kernel> {
         kernel(["karis", "f16", "ULP"], ALL, 4.0, floats::karis_of),
         kernel(["exact_rp", "f16", "ULP"], ALL, 4.0, floats::exact_rp_of),
         kernel(["radiance, from 0.001 and 1/2048", "f16", "ULP"], ALL, 0.8, floats::radiance_of),
-        kernel(["normalize_q14, (x, y, 0)", "I2F14", "LSB"], ALL, 0.6, |bits| {
+        kernel(["normalize_q14, (x, y, 0)", "I2F14", "LSB"], ALL, 0.78, |bits| {
             let [x, y] = [(bits >> 16) as i16, bits as i16];
             let [a, b, c] = normalize_q14([x, y, 0]);
             let [p, q] = [x, y].map(f64::from);

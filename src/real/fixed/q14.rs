@@ -1,19 +1,182 @@
-//! I2F14 by hand: 16-bit lanes in 32-bit registers.
+//! I2F14 by hand: 16-bit lanes, whose products and sums of squares 32-bit registers hold.
+//!
+//! [`cap`] is the formula of [`nearest`](crate::specular::nearest) rearranged. The tangent `s` is `r - q l`, where `q`
+//! is `l.r / l.l`, so that the point on the rim, `l - w l + s x / |s|`, is a sum of `r` and `l` themselves: no lane of
+//! the tangent is ever formed, and its rounding is spared. `|s|^2` is `|e|^2 - (e.l)^2` with `e = r - l`, or `r + l`
+//! behind the light, all from three dot products and without cancellation. Lengths may be a rounding off 1, which
+//! counts in neither: twice that, times the square of `e.l`, is below what `|s|^2` is rounded to for small discs, and
+//! large ones are told by their cosine. Within half a step of `-l` the answer is `l`.
 
 use fixed::types::I2F14;
 
-use super::Lanes;
-use crate::specular::nearest;
+use super::short_root::reciprocal_root;
+use super::{Lane, Lanes};
+use crate::multiply::wide;
+use crate::real::Real;
 use crate::sphere::DistantSphere;
+use crate::vec3::each;
 
-/// [`Real::normalize`](crate::real::Real::normalize) on bits.
+type Vector = [I2F14; 3];
+
+/// 1 in Q28.
+const ONE: i32 = I2F14::WIDE_ONE;
+
+/// The square in Q30 up to which a tangent behind the light counts as short, 222 steps of Q14: there its length needs
+/// more digits than its square has. A zero `r` counts as one, too.
+const SHORT: i32 = 3 << 16;
+
+/// The square in Q44 of half a step, below which a tangent has no direction.
+const SHORTEST: u32 = 1 << 14;
+
+/// [`Real::normalize`](crate::real::Real::normalize) on bits: each lane within 0.78 of the last place
+/// (`tests/exhaustive`, `tests/q14.rs`).
 #[inline]
 pub(super) fn normalize(v: Lanes) -> Lanes {
-    super::normalize::<14>(v)
+    let square = dot(v, v) as u32;
+    if square == 0 {
+        return [0; 3];
+    }
+    let (half, root) = reciprocal_root(square);
+    let shift = 16_u32.wrapping_sub(half);
+    // At most 2^31 / 2^half, less than half of the last place.
+    each(v, |lane| (lane.wrapping_mul(root as i32).wrapping_shr(shift).wrapping_add(1) >> 1) as i16 as i32)
+}
+
+/// Products of two vectors.
+struct Dots {
+    /// `l.r` in Q28.
+    along: i32,
+    /// `l.l` in Q28.
+    length: i32,
+    /// `|s|^2` in Q30.
+    square: i32,
 }
 
 /// [`cap`](crate::specular::cap).
 #[inline]
-pub(super) fn cap(l: [I2F14; 3], r: [I2F14; 3], light: &DistantSphere<I2F14>) -> [I2F14; 3] {
-    nearest(l, r, light)
+pub(super) fn cap(l: Vector, r: Vector, light: &DistantSphere<I2F14>) -> Vector {
+    let dots = Dots::of(each(l, Lane::bits), each(r, Lane::bits));
+    let [_, ahead] = I2F14::STEEP;
+    if dots.along > 0 && dots.is_within(light) && light.cos >= ahead {
+        return r;
+    }
+    let [x, y, z] = unpacked(outside(&l, &r, light, &dots));
+    [I2F14::from_bits(x), I2F14::from_bits(y), I2F14::from_bits(z)]
+}
+
+impl Dots {
+    #[inline]
+    fn of(l: Lanes, r: Lanes) -> Self {
+        let (along, length) = (dot(l, r), dot(l, l));
+        let part = along.wrapping_abs();
+        // |e|^2 in Q28 and e.l in Q15.
+        let apart = dot(r, r).wrapping_add(length).wrapping_sub(part.wrapping_mul(2));
+        let sunk = length.wrapping_sub(part).wrapping_add(1 << 12) >> 13;
+        Self { along, length, square: (apart << 2).wrapping_sub(sunk.wrapping_mul(sunk)) }
+    }
+
+    #[inline]
+    fn is_within(&self, light: &DistantSphere<I2F14>) -> bool {
+        self.square <= light.sin_square << 2
+    }
+
+    /// Whether `r` is inside a disc whose cosine is below the first of [`Real::STEEP`].
+    #[inline]
+    fn is_inside_large(&self, light: &DistantSphere<I2F14>) -> bool {
+        let [behind, _] = I2F14::STEEP;
+        if light.cos >= behind {
+            return self.along >= light.cos;
+        }
+        // The full sphere's cosine is given as -2.
+        self.along >= 0 || !self.is_within(light) || light.cos >> 28 < -1
+    }
+
+    /// `l.r / l.l` in Q30, for an `l` about as long as 1.
+    #[inline]
+    fn projection(&self) -> i32 {
+        (self.along << 2).wrapping_add((self.along >> 14).wrapping_mul(ONE.wrapping_sub(self.length)) >> 12)
+    }
+
+    /// The same where `r` is beside `-l`, to the last bit: the part of `r + l`, which is small, less 1.
+    #[inline]
+    fn fine_projection(&self) -> i32 {
+        let (part, lacking) = (self.along.wrapping_add(self.length), ONE.wrapping_sub(self.length));
+        (part << 2).wrapping_add((part >> 4).wrapping_mul(lacking) >> 22).wrapping_sub(ONE << 2)
+    }
+
+    /// `|s|^2` in Q44 of a tangent that is [`SHORT`]: `|l x r|^2 = l.l r.r - (l.r)^2`, exact in Q56, over `l.l`.
+    #[inline]
+    fn fine_square(&self, across: i32) -> u32 {
+        let part = self.along.unsigned_abs();
+        let square = (product(self.length as u32, across as u32).wrapping_sub(product(part, part)) >> 12) as u32;
+        let lacking = ((square >> 16) as i32).wrapping_mul(ONE.wrapping_sub(self.length)) >> 12;
+        square.wrapping_add(lacking as u32)
+    }
+}
+
+/// [`cap`] but for what is inside a small disc, in a function of its own lest that pays for registers. Lanes are packed
+/// for the same reason: they return in registers.
+#[inline(never)]
+fn outside(l: &Vector, r: &Vector, light: &DistantSphere<I2F14>, dots: &Dots) -> u64 {
+    let [_, ahead] = I2F14::STEEP;
+    if light.cos < ahead && dots.is_inside_large(light) {
+        return packed(each(*r, I2F14::to_bits));
+    }
+    let (mut square, mut quadruplings, mut q) = (dots.square as u32, 0, dots.projection());
+    if dots.along <= 0 && dots.square < SHORT {
+        let across = dot(each(*r, Lane::bits), each(*r, Lane::bits));
+        if across == 0 {
+            return 0;
+        }
+        (square, quadruplings, q) = (dots.fine_square(across), 7, dots.fine_projection());
+        if square < SHORTEST {
+            return packed(each(*l, I2F14::to_bits));
+        }
+    }
+    let (half, root) = reciprocal_root(square);
+    rim(l, r, light, q, (half.wrapping_add(quadruplings), root))
+}
+
+/// `l + k r + (-w - k q) l` with `k = x / |s|`. What the small discs add to `l` is in Q33 a number of 32 bits, though
+/// its parts are not; what the large ones do is so in Q30.
+#[inline(always)]
+fn rim(l: &Vector, r: &Vector, light: &DistantSphere<I2F14>, q: i32, (half, root): (u32, u32)) -> u64 {
+    // A versine under 2^-7 is a ratio under 1/8.
+    let n: u32 = if light.versine < 1 << 21 { 19 } else { 16 };
+    // 2^16 is one too many.
+    let x = light.sin.wrapping_shr(28 - n).wrapping_sub(light.sin >> 28) as u32;
+    let k = x.wrapping_mul(root).wrapping_shr(16_u32.wrapping_sub(half));
+    // k (q + 2), lest it be negative.
+    let kq = (product(k, (q as u32).wrapping_add(1 << 31)) >> 30) as u32;
+    let versine = light.versine.wrapping_shr(28 - n) as u32;
+    let d = k.wrapping_mul(2).wrapping_sub(kq).wrapping_sub(versine) as i32;
+    let lane = |l: I2F14, r: I2F14| {
+        let (l, r) = (l.bits(), r.bits());
+        let shift = (k as i32).wrapping_mul(r).wrapping_add((1 << n) >> 1).wrapping_add(d.wrapping_mul(l));
+        l.wrapping_add(shift.wrapping_shr(n)) as i16
+    };
+    packed([lane(l[0], r[0]), lane(l[1], r[1]), lane(l[2], r[2])])
+}
+
+#[inline(always)]
+fn dot(a: Lanes, b: Lanes) -> i32 {
+    let product = |lane: usize| a[lane].wrapping_mul(b[lane]);
+    product(0).wrapping_add(product(1)).wrapping_add(product(2))
+}
+
+/// [`wide`]; where that takes four products, one copy of them has to do.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+fn product(a: u32, b: u32) -> u64 {
+    wide(a, b)
+}
+
+#[inline(always)]
+fn packed([x, y, z]: [i16; 3]) -> u64 {
+    u64::from(x as u16) | (u64::from(y as u16) << 16) | (u64::from(z as u16) << 32)
+}
+
+#[inline(always)]
+fn unpacked(bits: u64) -> [i16; 3] {
+    [bits as i16, (bits >> 16) as i16, (bits >> 32) as i16]
 }
