@@ -5,7 +5,7 @@ mod table;
 
 use fixed::types::I2F14;
 
-use self::short::{Long, Short, share};
+use self::short::{Long, Short, distance, normalised, share};
 use super::SphereQ14;
 use super::scene::{SurfaceQ14, lamp_q14};
 use crate::diffuse::relative_illuminance;
@@ -21,18 +21,10 @@ pub struct PixelQ14 {
     light: SphereQ14,
     /// Least `n.l` in Q28 that leaves all of the disc above the surface; none for discs beyond half the sky.
     rim: i32,
-    smith: Smith,
+    /// `alpha^2`, Q31.
+    alpha_square: u32,
     lobe: Lobe,
     channels: [Colour; 3],
-}
-
-/// A roughness as Smith's roots need it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Smith {
-    /// How far cosines are shifted up before they are squared: `2^octaves alpha` is above 1/2, but not above 1.
-    octaves: u32,
-    /// The square of that, Q16.
-    square: u32,
 }
 
 /// A roughness and a disc in units of the highlight's width `b`, `b^2 = alpha^2 + w/2`.
@@ -40,15 +32,13 @@ struct Smith {
 struct Lobe {
     /// `1 / b^2`.
     inverse: Short,
-    /// `(alpha / b)^2`.
+    /// `(2 alpha / b)^2`.
     rough: Short,
     /// `w / b^2`.
     disc: Short,
-    /// `4 w (alpha / b^2)^2`.
-    both: Short,
-    /// `alpha^2 / (pi b^4 (1 - w/2))`.
+    /// `alpha^2 / (2 pi b^4 (1 - w/2))`.
     outside: Short,
-    /// `1 / (4 pi w (1 - w/2))`.
+    /// `1 / (8 pi w (1 - w/2))`.
     inside: Short,
 }
 
@@ -57,13 +47,18 @@ struct Lobe {
 struct Colour {
     /// Bits below Q16 that sums are formed with.
     guard: u32,
-    /// Radiance of the surface facing the light, without its highlight, with those bits.
+    /// Half of Q16's last place.
+    half: u32,
+    /// Radiance of the surface facing the light, without its highlight: a mantissa, and how far its product with that
+    /// of a cosine is to be shifted down.
     matt: u32,
-    illuminance: Short,
-    /// Reflectance at normal incidence, Q31.
-    f0: u32,
-    /// What that leaves of 1, Q15.
+    matt_shift: i32,
+    /// Illuminance times the reflectance at normal incidence, a mantissa of 31 bits.
+    mirrored: u32,
+    /// Illuminance times what that reflectance lacks, of 16 bits.
     missing: u32,
+    /// The exponent of both for sums.
+    exponent: i32,
 }
 
 impl PixelQ14 {
@@ -84,7 +79,7 @@ impl PixelQ14 {
             direction: each(direction, i32::from),
             light: *light,
             rim: if light.cos >= 0 { light.sin } else { i32::MAX },
-            smith: Smith::of(surface.alpha),
+            alpha_square: (surface.alpha * surface.alpha).to_q31(),
             lobe: Lobe::of(light, surface.alpha),
             channels: [colour(0), colour(1), colour(2)],
         })
@@ -123,21 +118,27 @@ impl PixelQ14 {
         if n_dot_v <= 0 {
             return None;
         }
-        let toward_light = cosine(n_dot_l);
+        let toward_light = cosine(n_dot_l.min(MOST));
         let facing = if n_dot_l >= self.rim { toward_light } else { self.astride(n_dot_l) };
-        if n_dot_l <= 0 || n_dot_v <= GRAZING {
+        if n_dot_l <= GRAZING || n_dot_v <= GRAZING {
             return Some((facing, Gloss::DARK));
         }
-        let toward_viewer = cosine(n_dot_v);
+        let toward_viewer = cosine(n_dot_v.min(MOST));
+        let upright = cosine(n_dot_l.min(MOST).wrapping_add(n_dot_v.min(MOST)) >> 1);
         let sum = [l[0].wrapping_add(v[0]), l[1].wrapping_add(v[1]), l[2].wrapping_add(v[2])];
-        let square = dot(sum, sum) as u32;
-        let square = Long { mantissa: square | 1, exponent: 4 }.normalised();
+        let square = Long { mantissa: dot(sum, sum) as u32, exponent: 4 }.normalised::<31>();
         let root = square.root();
-        let upright = toward_upright(n_dot_l, n_dot_v);
-        let tilt = tilt(cross(n, sum));
-        let shadow = self.smith.denominator(toward_light, toward_viewer);
-        let level = self.lobe.level(square.short(), root, upright, tilt, toward_light, shadow);
+        let shadow = self.shadow(toward_light, toward_viewer);
+        let lean = Lean { square: square.short(), root, upright, tilt: tilt(cross(n, sum)) };
+        let level = self.lobe.level(&lean, toward_light, shadow);
         Some((facing, Gloss { level, fresnel: schlick(root) }))
+    }
+
+    /// `(n.l) L(n.v) + (n.v) L(n.l)`, Smith's.
+    #[inline(always)]
+    fn shadow(&self, toward_light: Short, toward_viewer: Short) -> Short {
+        let [light, viewer] = [smith(toward_light, self.alpha_square), smith(toward_viewer, self.alpha_square)];
+        toward_light.product(viewer).plus(toward_viewer.product(light)).normalised::<3>().short()
     }
 
     /// The share of a disc that the surface cuts, or of one beyond half the sky.
@@ -149,7 +150,7 @@ impl PixelQ14 {
     }
 }
 
-/// `n.v` in Q28 up to which there is no highlight: `2^-14`.
+/// `n.l` and `n.v` in Q28 up to which there is no highlight: `2^-14`.
 const GRAZING: i32 = 1 << 14;
 
 /// A highlight without its colour.
@@ -177,26 +178,30 @@ fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
     [minor(a[1], b[2], a[2], b[1]), minor(a[2], b[0], a[0], b[2]), minor(a[0], b[1], a[1], b[0])]
 }
 
-/// The least cosine that is 1 in Q28, less one.
+/// The greatest cosine in Q28.
 const MOST: i32 = (1 << 28) - 1;
 
-/// A cosine in Q28.
+/// A cosine in Q28; its bits are all there from `2^-14` on.
 #[inline(always)]
 fn cosine(bits: i32) -> Short {
-    Long { mantissa: bits.min(MOST) as u32, exponent: 4 }.normalised().short()
+    Long { mantissa: (bits << 4) as u32, exponent: 0 }.normalised::<15>().short()
 }
 
-/// `n.l + n.v`.
+/// `L(c) = sqrt(c^2 + alpha^2 (1 - c^2))`, of an `alpha^2` in Q31.
 #[inline(always)]
-fn toward_upright(n_dot_l: i32, n_dot_v: i32) -> Short {
-    Long { mantissa: n_dot_l.min(MOST).wrapping_add(n_dot_v.min(MOST)) as u32, exponent: 4 }.normalised().short()
+fn smith(cosine: Short, alpha_square: u32) -> Short {
+    // Q31, too.
+    let lower = distance(1, cosine.exponent.wrapping_mul(2));
+    let square = cosine.mantissa.wrapping_mul(cosine.mantissa) >> lower;
+    let rough = alpha_square.wrapping_sub(share(alpha_square, square >> 15));
+    Long { mantissa: square.wrapping_add(rough), exponent: 1 }.normalised::<31>().root()
 }
 
 /// The square of a vector in Q28, of which the greatest lane keeps 15 bits.
 #[inline(always)]
 fn tilt(lanes: [i32; 3]) -> Long {
     let [x, y, z] = each(lanes, |lane| (lane ^ (lane >> 31)) as u32);
-    let (_, zeros) = short::normalised(x | y | z);
+    let (_, zeros) = normalised::<31>(x | y | z);
     let shift = 17_u32.saturating_sub(zeros);
     let half = (1_i32 << shift) >> 1;
     let lanes = each(lanes, |lane| lane.wrapping_add(half) >> shift);
@@ -212,40 +217,6 @@ fn schlick(twice: Short) -> u32 {
     share(square.wrapping_mul(square), rest)
 }
 
-impl Smith {
-    fn of(alpha: Scaled) -> Self {
-        let mut octaves = 0;
-        let mut grown = alpha;
-        while octaves < 28 && grown + grown <= Scaled::ONE {
-            grown = grown + grown;
-            octaves += 1;
-        }
-        Self { octaves, square: (grown * grown).to_unsigned(16) as u32 }
-    }
-
-    /// `(n.l) L(n.v) + (n.v) L(n.l)`.
-    #[inline(always)]
-    fn denominator(&self, toward_light: Short, toward_viewer: Short) -> Short {
-        let [light, viewer] = [self.root(toward_light), self.root(toward_viewer)];
-        toward_light.product(viewer).plus(toward_viewer.product(light)).normalised().short()
-    }
-
-    /// `L(c) = sqrt(c^2 + alpha^2 (1 - c^2))`.
-    #[inline(always)]
-    fn root(&self, cosine: Short) -> Short {
-        // As far as the cosine lies below 1, but no farther than alpha.
-        let zeros = 0_i32.wrapping_sub(cosine.exponent).max(0) as u32;
-        let shift = zeros.min(self.octaves);
-        let shifted = cosine.mantissa >> zeros.wrapping_sub(shift).min(31);
-        let square = shifted.wrapping_mul(shifted);
-        // Q15.
-        let rest = 32_768_u32.wrapping_sub((square >> 17) >> (shift << 1).min(31));
-        let rough = rest.wrapping_mul(self.square) >> (self.octaves.wrapping_sub(shift) << 1).min(31);
-        let mantissa = (square >> 2).wrapping_add(rough >> 1);
-        Long { mantissa, exponent: 2_i32.wrapping_sub((shift << 1) as i32) }.root()
-    }
-}
-
 impl Lobe {
     fn of(light: &SphereQ14, alpha: Scaled) -> Self {
         const DARK: Short = Short { mantissa: 0, exponent: 0 };
@@ -255,97 +226,119 @@ impl Lobe {
         let half_disc = sin * sin / (one + one + cosine + cosine);
         let square = alpha * alpha + half_disc;
         if !positive(square) {
-            return Self { inverse: DARK, rough: DARK, disc: DARK, both: DARK, outside: DARK, inside: DARK };
+            return Self { inverse: DARK, rough: DARK, disc: DARK, outside: DARK, inside: DARK };
         }
         let (inverse, rough) = (one / square, alpha * alpha / square);
         let disc = (half_disc + half_disc) / square;
-        let four = Scaled::from_bits(4, 0);
-        let facing = Scaled::constant(INVERSE_PI) / (one - versine * Scaled::constant(HALF));
+        let (half, four) = (Scaled::constant(HALF), Scaled::from_bits(4, 0));
+        let facing = Scaled::constant(INVERSE_PI) / (one - versine * half);
         Self {
             inverse: Short::of(inverse),
-            rough: Short::of(rough),
+            rough: Short::of(four * rough),
             disc: Short::of(disc),
-            both: Short::of(four * rough * disc),
-            outside: Short::of(rough * inverse * facing),
-            inside: Short::of(facing / (four * (half_disc + half_disc))),
+            outside: Short::of(rough * inverse * facing * half),
+            inside: Short::of(facing / (four * four * half_disc)),
         }
     }
 
+    /// `D V (n.l)`.
     #[inline(always)]
-    fn level(&self, square: Short, root: Short, upright: Short, tilt: Long, toward_light: Short, shadow: Short) -> Short {
-        let upright_square = upright.times(upright);
-        let rough = upright_square.product(self.rough);
-        let disc = root.product(self.disc);
-        let exponent = tilt.exponent.wrapping_add(self.inverse.exponent);
-        let tilt = Long { mantissa: share(tilt.mantissa, self.inverse.mantissa), exponent };
-        // Two bits for sums of three.
-        let exponent = tilt.exponent.max(rough.exponent).max(disc.exponent).wrapping_add(2);
-        let p = tilt.at(exponent).wrapping_add(rough.at(exponent)).wrapping_sub(disc.at(exponent)) as i32;
-        let size = Long { mantissa: p.unsigned_abs(), exponent }.normalised().short();
-        let both = upright_square.times(root).product(self.both);
-        let hypotenuse = size.product(size).plus(both).root();
-        let sum = hypotenuse.plus(size);
-        let over = toward_light.times(square);
-        let under = shadow.times(hypotenuse);
-        let (over, under) = if p < 0 {
-            (over.times(root).times(self.inside).times(sum), under.times(upright_square))
+    fn level(&self, lean: &Lean, toward_light: Short, shadow: Short) -> Short {
+        let upright_square = lean.upright.product(lean.upright).short();
+        let (rough, disc) = (upright_square.product(self.rough), lean.root.product(self.disc));
+        let p = self.difference(rough, disc, &lean.tilt);
+        let size = Long { mantissa: p.mantissa.unsigned_abs(), exponent: p.exponent }.normalised::<31>().short();
+        let product = rough.short().product(disc.short());
+        let both = Long { exponent: product.exponent.wrapping_add(2), ..product };
+        let hypotenuse = size.product(size).plus(both).normalised::<7>().root();
+        // Half of it.
+        let sum = hypotenuse.mean(size);
+        let (over, under) = (toward_light.times(lean.square), shadow.times(hypotenuse));
+        let (over, under) = if p.mantissa < 0 {
+            (over.times(lean.root).times(self.inside).times(sum), under.product(upright_square))
         } else {
-            (over.times(square).times(self.outside), under.times(sum))
+            (over.times(lean.square).times(self.outside), under.product(sum))
         };
-        over.times(under.reciprocal())
+        over.times(under.normalised::<3>().short().reciprocal())
     }
+
+    /// `p`.
+    #[inline(always)]
+    fn difference(&self, rough: Long, disc: Long, tilt: &Long) -> Signed {
+        let mantissa = share(tilt.mantissa, self.inverse.mantissa) >> 1;
+        // Q27, or as much coarser as a great tilt needs.
+        let fixed = |long: Long| (long.mantissa >> distance(5, long.exponent)) as i32;
+        let beside = fixed(rough).wrapping_sub(fixed(disc));
+        let up = tilt.exponent.wrapping_add(self.inverse.exponent).wrapping_sub(4);
+        if up < 0 {
+            let mantissa = (mantissa >> distance(0, up)) as i32;
+            return Signed { mantissa: mantissa.wrapping_add(beside), exponent: 5 };
+        }
+        let mantissa = (mantissa as i32).wrapping_add(beside >> distance(up, 0));
+        Signed { mantissa, exponent: up.wrapping_add(5) }
+    }
+}
+
+/// How the normal leans from the half vector.
+struct Lean {
+    /// `|l + v|^2`.
+    square: Short,
+    /// `|l + v|`.
+    root: Short,
+    /// `(n.l + n.v) / 2`.
+    upright: Short,
+    /// `|n x (l + v)|^2`.
+    tilt: Long,
+}
+
+/// A [`Long`] with a sign.
+struct Signed {
+    mantissa: i32,
+    exponent: i32,
 }
 
 impl Colour {
     fn of(illuminance: Scaled, albedo: Scaled, f0: Scaled) -> Self {
         let white = illuminance * Scaled::constant(INVERSE_PI);
-        // Below 2^31, since illuminance is below 2^16.
-        let guard = (white.to_unsigned(16) as u32).leading_zeros().saturating_sub(2).min(8);
+        let [e, white, matt] = [illuminance, white, white * albedo].map(Short::of);
+        // Sums stay below 2^32: a highlight's are below 2^31.
+        let guard = 14_i32.wrapping_sub(white.exponent).clamp(0, 6);
         Self {
-            guard,
-            matt: (white * albedo).to_unsigned(16_u32.wrapping_add(guard)) as u32,
-            illuminance: Short::of(illuminance),
-            f0: f0.to_q31(),
-            missing: (Scaled::ONE - f0).to_unsigned(15) as u32,
+            guard: guard as u32,
+            half: 1_u32.wrapping_shl(guard as u32) >> 1,
+            matt: matt.mantissa,
+            matt_shift: 16_i32.wrapping_sub(guard).wrapping_sub(matt.exponent),
+            mirrored: share(f0.to_q31(), e.mantissa),
+            missing: ((Scaled::ONE - f0).to_q31() >> 15).wrapping_mul(e.mantissa) >> 16,
+            exponent: e.exponent.wrapping_sub(15).wrapping_add(guard),
         }
     }
 
     /// In Q16; saturates.
     #[inline(always)]
     fn radiance(&self, facing: Short, gloss: &Gloss) -> u32 {
-        let matt = share(self.matt, facing.mantissa) >> (0_i32.wrapping_sub(facing.exponent).clamp(0, 31) as u32);
-        let reflectance = self.f0.wrapping_add(share(gloss.fresnel, self.missing));
-        let bits = share(share(reflectance, self.illuminance.mantissa), gloss.level.mantissa);
-        // Of bits in Q16.
-        let exponent = self.illuminance.exponent.wrapping_add(gloss.level.exponent).wrapping_sub(15);
-        let glossy = shifted(bits, exponent.wrapping_add(self.guard as i32));
-        if glossy >> 31 == 0 {
-            let half = 1_u32.wrapping_shl(self.guard) >> 1;
-            return matt.wrapping_add(glossy).wrapping_add(half).wrapping_shr(self.guard);
+        let matt = self.matt.wrapping_mul(facing.mantissa) >> distance(self.matt_shift, facing.exponent);
+        let reflected = self.mirrored.wrapping_add(share(gloss.fresnel, self.missing) >> 1);
+        let bits = share(reflected, gloss.level.mantissa);
+        let exponent = self.exponent.wrapping_add(gloss.level.exponent);
+        if exponent > 0 {
+            return bright(bits, exponent.wrapping_sub(self.guard as i32), matt.wrapping_shr(self.guard));
         }
-        bright(bits, exponent, matt.wrapping_shr(self.guard))
+        let glossy = bits >> distance(0, exponent);
+        matt.wrapping_add(glossy).wrapping_add(self.half).wrapping_shr(self.guard)
     }
 }
 
-/// `bits * 2^exponent`, cut; saturates.
-#[inline(always)]
-fn shifted(bits: u32, exponent: i32) -> u32 {
-    if exponent <= 0 {
-        return bits >> (0_i32.wrapping_sub(exponent).clamp(0, 31) as u32);
-    }
-    let up = exponent as u32;
-    if up < 32 && (bits << up) >> up == bits {
-        bits << up
-    } else if bits == 0 {
-        0
-    } else {
-        u32::MAX
-    }
-}
-
-/// The sum without bits below Q16.
+/// A bright highlight and the rest, `bits * 2^exponent + matt`; saturates.
 #[cold]
 #[inline(never)]
 fn bright(bits: u32, exponent: i32, matt: u32) -> u32 {
-    shifted(bits, exponent).saturating_add(matt)
+    let room = bits.leading_zeros() as i32;
+    let glossy = match exponent {
+        ..=0 => bits >> distance(0, exponent),
+        up if up <= room => bits.wrapping_shl(up as u32),
+        _ if bits == 0 => 0,
+        _ => u32::MAX,
+    };
+    glossy.saturating_add(matt)
 }

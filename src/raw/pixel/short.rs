@@ -6,7 +6,7 @@ use crate::real::{Scalar, Scaled};
 /// Whether the machine counts no leading zeros and multiplies to 32 bits alone: Cortex-M0 and M0+.
 const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
-/// `mantissa * 2^(exponent - 16)`: the mantissa is 0, or from `2^15` to `2^16 - 1`.
+/// `mantissa * 2^(exponent - 16)`: the mantissa is below `2^16`, and a constant's 0 or at least `2^15`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Short {
     pub(super) mantissa: u32,
@@ -34,14 +34,12 @@ impl Short {
         Self { mantissa: rounded >> over, exponent: exponent.wrapping_add(over as i32) }
     }
 
-    /// The product, to nearest or half a last place below it.
+    /// The product, to nearest; a bit shorter for each product that is not [`normalised`](Long::normalised) in between.
     #[inline(always)]
     pub(super) fn times(self, other: Self) -> Self {
         let Long { mantissa, exponent } = self.product(other);
         // No product of mantissas is so great that this wraps.
-        let product = mantissa.wrapping_add(1 << 14);
-        let top = product >> 31;
-        Self { mantissa: (product >> 15) >> top, exponent: exponent.wrapping_sub(1).wrapping_add(top as i32) }
+        Self { mantissa: mantissa.wrapping_add(1 << 15) >> 16, exponent }
     }
 
     /// The product, exactly.
@@ -53,16 +51,14 @@ impl Short {
         }
     }
 
-    /// The sum with a number that is not greater than this one, or hardly.
+    /// Half the sum with a number that is not greater than this one.
     #[inline(always)]
-    pub(super) fn plus(self, smaller: Self) -> Self {
-        let lower = self.exponent.wrapping_sub(smaller.exponent).clamp(0, 31);
-        let sum = self.mantissa.wrapping_add(smaller.mantissa >> lower);
-        let over = sum >> 16;
-        Self { mantissa: sum.wrapping_add(over) >> over, exponent: self.exponent.wrapping_add(over as i32) }
+    pub(super) fn mean(self, smaller: Self) -> Self {
+        let lower = distance(self.exponent, smaller.exponent);
+        Self { mantissa: self.mantissa.wrapping_add(smaller.mantissa >> lower) >> 1, exponent: self.exponent }
     }
 
-    /// One over it, within 1.3e-5; 0 for 0.
+    /// One over a number whose mantissa has its first bit set, within 3.1e-5.
     #[inline(always)]
     pub(super) fn reciprocal(self) -> Self {
         Self { mantissa: table::reciprocal(self.mantissa), exponent: 1_i32.wrapping_sub(self.exponent) }
@@ -70,67 +66,69 @@ impl Short {
 }
 
 impl Long {
-    /// Shifted to the left until its first bit is set; zero has an exponent 31 below.
+    /// Shifted to the left until the first bit is set, or `MOST` times, which is 31, 15, 7 or 3.
     #[inline(always)]
-    pub(super) fn normalised(self) -> Self {
-        let (mantissa, free) = normalised(self.mantissa);
+    pub(super) fn normalised<const MOST: u32>(self) -> Self {
+        let (mantissa, free) = normalised::<MOST>(self.mantissa);
         Self { mantissa, exponent: self.exponent.wrapping_sub(free as i32) }
     }
 
-    /// The nearest number of 16 bits, of one that is normalised.
+    /// Cut to 16 bits.
     #[inline(always)]
     pub(super) fn short(self) -> Short {
-        Short { mantissa: self.mantissa.saturating_add(1 << 15) >> 16, exponent: self.exponent }
+        Short { mantissa: self.mantissa >> 16, exponent: self.exponent }
     }
 
-    /// The mantissa that it has with a greater exponent.
+    /// The mantissa that it has with an exponent that is not less.
     #[inline(always)]
     pub(super) fn at(self, exponent: i32) -> u32 {
-        self.mantissa >> (exponent.wrapping_sub(self.exponent).clamp(0, 31) as u32)
+        self.mantissa >> distance(exponent, self.exponent)
     }
 
-    /// The sum, of at least the normalised greater one's exponent; less than `2^32`.
+    /// The sum, whose exponent is one above the greater of the two.
     #[inline(always)]
     pub(super) fn plus(self, other: Self) -> Self {
         let exponent = self.exponent.max(other.exponent).wrapping_add(1);
         Self { mantissa: self.at(exponent).wrapping_add(other.at(exponent)), exponent }
     }
 
-    /// The square root of a number whose mantissa is at least `2^29`, or, where its exponent is even, `2^28`: within
-    /// 3.1e-5.
+    /// The square root of a number that is normalised, within 3.1e-5.
     #[inline(always)]
     pub(super) fn root(self) -> Short {
-        let odd = self.exponent & 1;
-        let mut mantissa = self.mantissa >> odd;
-        let mut exponent = self.exponent.wrapping_add(odd) >> 1;
-        if mantissa < 1 << 30 {
-            mantissa <<= 2;
-            exponent = exponent.wrapping_sub(1);
-        }
-        Short { mantissa: table::root(mantissa), exponent }
+        let odd = self.exponent as u32 & 1;
+        let exponent = self.exponent.wrapping_add(1) >> 1;
+        Short { mantissa: table::root(self.mantissa, odd), exponent }
     }
 }
 
-/// `bits * 2^zeros` with the first bit set, and the zeros before; 31 of them for 0.
+/// How many bits to shift by from an exponent to a greater one; 31 where all are lost.
 #[inline(always)]
-pub(super) fn normalised(bits: u32) -> (u32, u32) {
+pub(super) fn distance(greater: i32, exponent: i32) -> u32 {
+    let distance = greater.wrapping_sub(exponent);
+    // One instruction where there is one to saturate; otherwise one bound is cheaper to keep than two.
+    if NARROW { (distance as u32).min(31) } else { distance.clamp(0, 31) as u32 }
+}
+
+/// `bits * 2^zeros` with the first bit set, and the zeros before; but at most `MOST` zeros, which is 31, 15, 7 or 3.
+#[inline(always)]
+pub(super) fn normalised<const MOST: u32>(bits: u32) -> (u32, u32) {
     if NARROW {
-        return by_comparing(bits);
+        return by_comparing::<MOST>(bits);
     }
-    let zeros = (bits | 1).leading_zeros();
+    let zeros = (bits | const { 1 << (31 - MOST) }).leading_zeros();
     (bits << zeros, zeros)
 }
 
 #[inline(always)]
-fn by_comparing(mut bits: u32) -> (u32, u32) {
+fn by_comparing<const MOST: u32>(mut bits: u32) -> (u32, u32) {
     let mut zeros = 0;
-    if bits >> 16 == 0 {
+    if MOST >= 31 && bits >> 16 == 0 {
         (bits, zeros) = (bits << 16, 16);
     }
-    if bits >> 24 == 0 {
+    if MOST >= 15 && bits >> 24 == 0 {
         (bits, zeros) = (bits << 8, zeros | 8);
     }
-    if bits >> 28 == 0 {
+    if MOST >= 7 && bits >> 28 == 0 {
         (bits, zeros) = (bits << 4, zeros | 4);
     }
     if bits >> 30 == 0 {
@@ -145,10 +143,40 @@ fn by_comparing(mut bits: u32) -> (u32, u32) {
 /// `a b / 2^16`, cut, of a `b` below `2^16`.
 #[inline(always)]
 pub(super) fn share(a: u32, b: u32) -> u32 {
-    if NARROW { share_of_halves(a, b) } else { ((u64::from(a) * u64::from(b)) >> 16) as u32 }
+    if NARROW { share_of_halves(a, b) } else { ((u64::from(a) * u64::from(b << 16)) >> 32) as u32 }
 }
 
 #[inline(always)]
 fn share_of_halves(a: u32, b: u32) -> u32 {
     (a >> 16).wrapping_mul(b).wrapping_add((a & 0xffff).wrapping_mul(b) >> 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{by_comparing, normalised, share, share_of_halves};
+
+    /// Numbers of all lengths.
+    fn numbers() -> impl Iterator<Item = u32> {
+        let spread = (0..100_000_u32).map(|step| step.wrapping_mul(2_654_435_761) >> (step % 32));
+        (0..32).flat_map(|bit| [1_u32 << bit, (1 << bit) - 1, u32::MAX << bit]).chain(spread)
+    }
+
+    #[test]
+    fn every_machine_normalises_alike() {
+        for bits in numbers() {
+            assert_eq!(normalised::<31>(bits), by_comparing::<31>(bits), "{bits:#x}");
+            assert_eq!(normalised::<15>(bits), by_comparing::<15>(bits), "{bits:#x}");
+            assert_eq!(normalised::<7>(bits), by_comparing::<7>(bits), "{bits:#x}");
+            assert_eq!(normalised::<3>(bits), by_comparing::<3>(bits), "{bits:#x}");
+        }
+    }
+
+    #[test]
+    fn every_machine_shares_alike() {
+        for a in numbers() {
+            for b in [0, 1, 0x7fff, 0x8000, 0xffff, a >> 16, a & 0xffff] {
+                assert_eq!([share(a, b), share_of_halves(a, b)], [((u64::from(a) * u64::from(b)) >> 16) as u32; 2]);
+            }
+        }
+    }
 }
