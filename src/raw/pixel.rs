@@ -21,8 +21,9 @@ pub struct PixelQ14 {
     light: SphereQ14,
     /// Least `n.l` in Q28 that leaves all of the disc above the surface; none for discs beyond half the sky.
     rim: i32,
-    /// `alpha^2`, Q31.
+    /// `alpha^2`: a mantissa, and how far its product with a Q16 number is to be shifted down to be Q30.
     alpha_square: u32,
+    alpha_shift: u32,
     lobe: Lobe,
     channels: [Colour; 3],
 }
@@ -73,13 +74,16 @@ impl PixelQ14 {
         illuminance: [u32; 3],
     ) -> Result<Self, SceneError<Scaled>> {
         lamp_q14(direction, light, illuminance)?;
-        let [e, albedo, f0] = [illuminance.map(|bits| Scaled::from_unsigned(bits.into(), -16)), surface.albedo, surface.f0];
+        let [e, albedo, f0] =
+            [illuminance.map(|bits| Scaled::from_unsigned(bits.into(), -16)), surface.albedo, surface.f0];
         let colour = |channel: usize| Colour::of(e[channel], albedo[channel], f0[channel]);
+        let alpha_square = Short::of(surface.alpha * surface.alpha);
         Ok(Self {
             direction: each(direction, i32::from),
             light: *light,
             rim: if light.cos >= 0 { light.sin } else { i32::MAX },
-            alpha_square: (surface.alpha * surface.alpha).to_q31(),
+            alpha_square: alpha_square.mantissa,
+            alpha_shift: distance(2, alpha_square.exponent),
             lobe: Lobe::of(light, surface.alpha),
             channels: [colour(0), colour(1), colour(2)],
         })
@@ -118,27 +122,44 @@ impl PixelQ14 {
         if n_dot_v <= 0 {
             return None;
         }
-        let toward_light = cosine(n_dot_l.min(MOST));
-        let facing = if n_dot_l >= self.rim { toward_light } else { self.astride(n_dot_l) };
         if n_dot_l <= GRAZING || n_dot_v <= GRAZING {
-            return Some((facing, Gloss::DARK));
+            return Some((self.facing(n_dot_l), Gloss::DARK));
         }
-        let toward_viewer = cosine(n_dot_v.min(MOST));
-        let upright = cosine(n_dot_l.min(MOST).wrapping_add(n_dot_v.min(MOST)) >> 1);
         let sum = [l[0].wrapping_add(v[0]), l[1].wrapping_add(v[1]), l[2].wrapping_add(v[2])];
-        let square = Long { mantissa: dot(sum, sum) as u32, exponent: 4 }.normalised::<31>();
+        let (square, tilt) = (dot(sum, sum) as u32, tilt(cross(n, sum)));
+        let square = Long { mantissa: square, exponent: 4 }.normalised::<31>();
         let root = square.root();
+        let upright = cosine(n_dot_l.wrapping_add(n_dot_v) >> 1);
+        let (toward_light, toward_viewer) = (cosine(n_dot_l), cosine(n_dot_v));
         let shadow = self.shadow(toward_light, toward_viewer);
-        let lean = Lean { square: square.short(), root, upright, tilt: tilt(cross(n, sum)) };
+        let lean = Lean { square: square.short(), root, upright, tilt };
         let level = self.lobe.level(&lean, toward_light, shadow);
+        let facing = if n_dot_l >= self.rim { toward_light } else { self.astride(n_dot_l) };
         Some((facing, Gloss { level, fresnel: schlick(root) }))
+    }
+
+    /// The share of the illuminance that a plane gets.
+    #[inline(always)]
+    fn facing(&self, n_dot_l: i32) -> Short {
+        if n_dot_l >= self.rim { cosine(n_dot_l) } else { self.astride(n_dot_l) }
     }
 
     /// `(n.l) L(n.v) + (n.v) L(n.l)`, Smith's.
     #[inline(always)]
     fn shadow(&self, toward_light: Short, toward_viewer: Short) -> Short {
-        let [light, viewer] = [smith(toward_light, self.alpha_square), smith(toward_viewer, self.alpha_square)];
+        let [light, viewer] = [self.smith(toward_light), self.smith(toward_viewer)];
         toward_light.product(viewer).plus(toward_viewer.product(light)).normalised::<3>().short()
+    }
+
+    /// `L(c) = sqrt(c^2 + alpha^2 (1 - c^2))`.
+    #[inline(always)]
+    fn smith(&self, cosine: Short) -> Short {
+        // Q30; a cosine's exponent is from -13 to 1.
+        let lower = 2_i32.wrapping_sub(cosine.exponent.wrapping_mul(2)) as u32 & 31;
+        let square = cosine.mantissa.wrapping_mul(cosine.mantissa) >> lower;
+        let rest = 65_536_i32.wrapping_sub((square >> 14) as i32).max(0) as u32;
+        let rough = rest.wrapping_mul(self.alpha_square).wrapping_shr(self.alpha_shift);
+        Long { mantissa: square.wrapping_add(rough), exponent: 2 }.normalised::<31>().root()
     }
 
     /// The share of a disc that the surface cuts, or of one beyond half the sky.
@@ -146,7 +167,7 @@ impl PixelQ14 {
     #[inline(never)]
     fn astride(&self, n_dot_l: i32) -> Short {
         let share = Short::of(relative_illuminance::<I2F14>(n_dot_l, &self.light));
-        if share.exponent > 0 { cosine(MOST) } else { share }
+        if share.exponent > 0 { Short { mantissa: 0xffff, exponent: 0 } } else { share }
     }
 }
 
@@ -178,23 +199,10 @@ fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
     [minor(a[1], b[2], a[2], b[1]), minor(a[2], b[0], a[0], b[2]), minor(a[0], b[1], a[1], b[0])]
 }
 
-/// The greatest cosine in Q28.
-const MOST: i32 = (1 << 28) - 1;
-
 /// A cosine in Q28; its bits are all there from `2^-14` on.
 #[inline(always)]
 fn cosine(bits: i32) -> Short {
-    Long { mantissa: (bits << 4) as u32, exponent: 0 }.normalised::<15>().short()
-}
-
-/// `L(c) = sqrt(c^2 + alpha^2 (1 - c^2))`, of an `alpha^2` in Q31.
-#[inline(always)]
-fn smith(cosine: Short, alpha_square: u32) -> Short {
-    // Q31, too.
-    let lower = distance(1, cosine.exponent.wrapping_mul(2));
-    let square = cosine.mantissa.wrapping_mul(cosine.mantissa) >> lower;
-    let rough = alpha_square.wrapping_sub(share(alpha_square, square >> 15));
-    Long { mantissa: square.wrapping_add(rough), exponent: 1 }.normalised::<31>().root()
+    Long { mantissa: (bits << 2) as u32, exponent: 2 }.normalised::<15>().short()
 }
 
 /// The square of a vector in Q28, of which the greatest lane keeps 15 bits.
@@ -202,7 +210,7 @@ fn smith(cosine: Short, alpha_square: u32) -> Short {
 fn tilt(lanes: [i32; 3]) -> Long {
     let [x, y, z] = each(lanes, |lane| (lane ^ (lane >> 31)) as u32);
     let (_, zeros) = normalised::<31>(x | y | z);
-    let shift = 17_u32.saturating_sub(zeros);
+    let shift = 17_i32.wrapping_sub(zeros as i32).max(0) as u32;
     let half = (1_i32 << shift) >> 1;
     let lanes = each(lanes, |lane| lane.wrapping_add(half) >> shift);
     Long { mantissa: dot(lanes, lanes) as u32, exponent: ((shift << 1) as i32).wrapping_sub(24) }
@@ -211,10 +219,10 @@ fn tilt(lanes: [i32; 3]) -> Long {
 /// `(1 - v.h)^5` in Q32, of `2 (v.h)`.
 #[inline(always)]
 fn schlick(twice: Short) -> u32 {
-    let cosine = (twice.mantissa << 1) >> (2_i32.wrapping_sub(twice.exponent).clamp(0, 31) as u32);
-    let rest = 65_536_u32.saturating_sub(cosine) & 0xffff;
+    let cosine = (twice.mantissa << 1) >> (2_i32.wrapping_sub(twice.exponent) as u32 & 31);
+    let rest = 65_536_i32.wrapping_sub(cosine as i32).max(0) as u32;
     let square = rest.wrapping_mul(rest).wrapping_add(1 << 15) >> 16;
-    share(square.wrapping_mul(square), rest)
+    (square.wrapping_mul(square).wrapping_add(1 << 15) >> 16).wrapping_mul(rest)
 }
 
 impl Lobe {

@@ -34,12 +34,10 @@ impl Short {
         Self { mantissa: rounded >> over, exponent: exponent.wrapping_add(over as i32) }
     }
 
-    /// The product, to nearest; a bit shorter for each product that is not [`normalised`](Long::normalised) in between.
+    /// The product, cut to 16 bits; of them the first is lost at each product of a chain.
     #[inline(always)]
     pub(super) fn times(self, other: Self) -> Self {
-        let Long { mantissa, exponent } = self.product(other);
-        // No product of mantissas is so great that this wraps.
-        Self { mantissa: mantissa.wrapping_add(1 << 15) >> 16, exponent }
+        self.product(other).short()
     }
 
     /// The product, exactly.
@@ -113,31 +111,49 @@ pub(super) fn distance(greater: i32, exponent: i32) -> u32 {
 #[inline(always)]
 pub(super) fn normalised<const MOST: u32>(bits: u32) -> (u32, u32) {
     if NARROW {
-        return by_comparing::<MOST>(bits);
+        return by_table::<MOST>(bits);
     }
     let zeros = (bits | const { 1 << (31 - MOST) }).leading_zeros();
     (bits << zeros, zeros)
 }
 
+/// The same where there is no instruction that counts zeros: sets all bits below the first, which leaves 32 numbers to
+/// tell apart.
 #[inline(always)]
-fn by_comparing<const MOST: u32>(mut bits: u32) -> (u32, u32) {
+fn by_table<const MOST: u32>(bits: u32) -> (u32, u32) {
+    let below = const { 31 - MOST };
+    let mut filled = bits >> below;
+    filled |= filled >> 1;
+    filled |= filled >> 2;
+    if MOST > 3 {
+        filled |= filled >> 4;
+    }
+    if MOST > 7 {
+        filled |= filled >> 8;
+    }
+    if MOST > 15 {
+        filled |= filled >> 16;
+    }
+    // One of `below` to 31, hence no difference below zero and none above 31.
+    let zeros = u32::from(ZEROS[(filled.wrapping_mul(TELLS_APART) >> 27) as usize]).wrapping_sub(below) & 31;
+    (bits << zeros, zeros)
+}
+
+/// Times this, the 32 numbers `2^k - 1` from `k = 1` on differ in their top five bits, and the first has none of them,
+/// as zero.
+const TELLS_APART: u32 = 0x07cd_d22b;
+
+/// Zeros before a number, by those five bits.
+static ZEROS: [u8; 32] = zeros();
+
+const fn zeros() -> [u8; 32] {
+    let mut table = [0; 32];
     let mut zeros = 0;
-    if MOST >= 31 && bits >> 16 == 0 {
-        (bits, zeros) = (bits << 16, 16);
+    while zeros < 32 {
+        table[((u32::MAX >> zeros).wrapping_mul(TELLS_APART) >> 27) as usize] = zeros as u8;
+        zeros += 1;
     }
-    if MOST >= 15 && bits >> 24 == 0 {
-        (bits, zeros) = (bits << 8, zeros | 8);
-    }
-    if MOST >= 7 && bits >> 28 == 0 {
-        (bits, zeros) = (bits << 4, zeros | 4);
-    }
-    if bits >> 30 == 0 {
-        (bits, zeros) = (bits << 2, zeros | 2);
-    }
-    if bits >> 31 == 0 {
-        (bits, zeros) = (bits << 1, zeros | 1);
-    }
-    (bits, zeros)
+    table
 }
 
 /// `a b / 2^16`, cut, of a `b` below `2^16`.
@@ -153,7 +169,7 @@ fn share_of_halves(a: u32, b: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{by_comparing, normalised, share, share_of_halves};
+    use super::{by_table, normalised, share, share_of_halves};
 
     /// Numbers of all lengths.
     fn numbers() -> impl Iterator<Item = u32> {
@@ -164,10 +180,10 @@ mod tests {
     #[test]
     fn every_machine_normalises_alike() {
         for bits in numbers() {
-            assert_eq!(normalised::<31>(bits), by_comparing::<31>(bits), "{bits:#x}");
-            assert_eq!(normalised::<15>(bits), by_comparing::<15>(bits), "{bits:#x}");
-            assert_eq!(normalised::<7>(bits), by_comparing::<7>(bits), "{bits:#x}");
-            assert_eq!(normalised::<3>(bits), by_comparing::<3>(bits), "{bits:#x}");
+            assert_eq!(normalised::<31>(bits), by_table::<31>(bits), "{bits:#x}");
+            assert_eq!(normalised::<15>(bits), by_table::<15>(bits), "{bits:#x}");
+            assert_eq!(normalised::<7>(bits), by_table::<7>(bits), "{bits:#x}");
+            assert_eq!(normalised::<3>(bits), by_table::<3>(bits), "{bits:#x}");
         }
     }
 
