@@ -1,16 +1,19 @@
 //! A whole lit pixel in Q14, in products of 32 bits.
 
+mod colour;
+mod lobe;
 mod short;
 mod table;
 
 use fixed::types::I2F14;
 
-use self::short::{Long, Short, distance, normalised, share};
+use self::colour::{Colour, Gloss, schlick};
+use self::lobe::{Lean, Lobe};
+use self::short::{Long, Short, distance, normalised};
 use super::SphereQ14;
 use super::scene::{SurfaceQ14, lamp_q14};
 use crate::diffuse::relative_illuminance;
-use crate::highlight::extent;
-use crate::real::{HALF, INVERSE_PI, Scalar, Scaled, positive};
+use crate::real::Scaled;
 use crate::scene::{Channel, SceneError};
 use crate::vec3::each;
 
@@ -26,40 +29,6 @@ pub struct PixelQ14 {
     alpha_shift: u32,
     lobe: Lobe,
     channels: [Colour; 3],
-}
-
-/// A roughness and a disc in units of the highlight's width `b`, `b^2 = alpha^2 + w/2`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Lobe {
-    /// `1 / b^2`.
-    inverse: Short,
-    /// `(2 alpha / b)^2`.
-    rough: Short,
-    /// `w / b^2`.
-    disc: Short,
-    /// `alpha^2 / (2 pi b^4 (1 - w/2))`.
-    outside: Short,
-    /// `1 / (8 pi w (1 - w/2))`.
-    inside: Short,
-}
-
-/// What one channel needs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Colour {
-    /// Bits below Q16 that sums are formed with.
-    guard: u32,
-    /// Half of Q16's last place.
-    half: u32,
-    /// Radiance of the surface facing the light, without its highlight: a mantissa, and how far its product with that
-    /// of a cosine is to be shifted down.
-    matt: u32,
-    matt_shift: i32,
-    /// Illuminance times the reflectance at normal incidence, a mantissa of 31 bits.
-    mirrored: u32,
-    /// Illuminance times what that reflectance lacks, of 16 bits.
-    missing: u32,
-    /// The exponent of both for sums.
-    exponent: i32,
 }
 
 impl PixelQ14 {
@@ -174,19 +143,6 @@ impl PixelQ14 {
 /// `n.l` and `n.v` in Q28 up to which there is no highlight: `2^-14`.
 const GRAZING: i32 = 1 << 14;
 
-/// A highlight without its colour.
-#[derive(Clone, Copy)]
-struct Gloss {
-    /// `D V (n.l)`.
-    level: Short,
-    /// Schlick's weight, Q32.
-    fresnel: u32,
-}
-
-impl Gloss {
-    const DARK: Self = Self { level: Short { mantissa: 0, exponent: 0 }, fresnel: 0 };
-}
-
 #[inline(always)]
 fn dot(a: [i32; 3], b: [i32; 3]) -> i32 {
     let [x, y, z] = [a[0].wrapping_mul(b[0]), a[1].wrapping_mul(b[1]), a[2].wrapping_mul(b[2])];
@@ -214,139 +170,4 @@ fn tilt(lanes: [i32; 3]) -> Long {
     let half = (1_i32 << shift) >> 1;
     let lanes = each(lanes, |lane| lane.wrapping_add(half) >> shift);
     Long { mantissa: dot(lanes, lanes) as u32, exponent: ((shift << 1) as i32).wrapping_sub(24) }
-}
-
-/// `(1 - v.h)^5` in Q32, of `2 (v.h)`.
-#[inline(always)]
-fn schlick(twice: Short) -> u32 {
-    let cosine = (twice.mantissa << 1) >> (2_i32.wrapping_sub(twice.exponent) as u32 & 31);
-    let rest = 65_536_i32.wrapping_sub(cosine as i32).max(0) as u32;
-    let square = rest.wrapping_mul(rest).wrapping_add(1 << 15) >> 16;
-    (square.wrapping_mul(square).wrapping_add(1 << 15) >> 16).wrapping_mul(rest)
-}
-
-impl Lobe {
-    fn of(light: &SphereQ14, alpha: Scaled) -> Self {
-        const DARK: Short = Short { mantissa: 0, exponent: 0 };
-        let [sin, versine] = extent(light);
-        let one = Scaled::ONE;
-        let cosine = one - versine;
-        let half_disc = sin * sin / (one + one + cosine + cosine);
-        let square = alpha * alpha + half_disc;
-        if !positive(square) {
-            return Self { inverse: DARK, rough: DARK, disc: DARK, outside: DARK, inside: DARK };
-        }
-        let (inverse, rough) = (one / square, alpha * alpha / square);
-        let disc = (half_disc + half_disc) / square;
-        let (half, four) = (Scaled::constant(HALF), Scaled::from_bits(4, 0));
-        let facing = Scaled::constant(INVERSE_PI) / (one - versine * half);
-        Self {
-            inverse: Short::of(inverse),
-            rough: Short::of(four * rough),
-            disc: Short::of(disc),
-            outside: Short::of(rough * inverse * facing * half),
-            inside: Short::of(facing / (four * four * half_disc)),
-        }
-    }
-
-    /// `D V (n.l)`.
-    #[inline(always)]
-    fn level(&self, lean: &Lean, toward_light: Short, shadow: Short) -> Short {
-        let upright_square = lean.upright.product(lean.upright).short();
-        let (rough, disc) = (upright_square.product(self.rough), lean.root.product(self.disc));
-        let p = self.difference(rough, disc, &lean.tilt);
-        let size = Long { mantissa: p.mantissa.unsigned_abs(), exponent: p.exponent }.normalised::<31>().short();
-        let product = rough.short().product(disc.short());
-        let both = Long { exponent: product.exponent.wrapping_add(2), ..product };
-        let hypotenuse = size.product(size).plus(both).normalised::<7>().root();
-        // Half of it.
-        let sum = hypotenuse.mean(size);
-        let (over, under) = (toward_light.times(lean.square), shadow.times(hypotenuse));
-        let (over, under) = if p.mantissa < 0 {
-            (over.times(lean.root).times(self.inside).times(sum), under.product(upright_square))
-        } else {
-            (over.times(lean.square).times(self.outside), under.product(sum))
-        };
-        over.times(under.normalised::<3>().short().reciprocal())
-    }
-
-    /// `p`.
-    #[inline(always)]
-    fn difference(&self, rough: Long, disc: Long, tilt: &Long) -> Signed {
-        let mantissa = share(tilt.mantissa, self.inverse.mantissa) >> 1;
-        // Q27, or as much coarser as a great tilt needs.
-        let fixed = |long: Long| (long.mantissa >> distance(5, long.exponent)) as i32;
-        let beside = fixed(rough).wrapping_sub(fixed(disc));
-        let up = tilt.exponent.wrapping_add(self.inverse.exponent).wrapping_sub(4);
-        if up < 0 {
-            let mantissa = (mantissa >> distance(0, up)) as i32;
-            return Signed { mantissa: mantissa.wrapping_add(beside), exponent: 5 };
-        }
-        let mantissa = (mantissa as i32).wrapping_add(beside >> distance(up, 0));
-        Signed { mantissa, exponent: up.wrapping_add(5) }
-    }
-}
-
-/// How the normal leans from the half vector.
-struct Lean {
-    /// `|l + v|^2`.
-    square: Short,
-    /// `|l + v|`.
-    root: Short,
-    /// `(n.l + n.v) / 2`.
-    upright: Short,
-    /// `|n x (l + v)|^2`.
-    tilt: Long,
-}
-
-/// A [`Long`] with a sign.
-struct Signed {
-    mantissa: i32,
-    exponent: i32,
-}
-
-impl Colour {
-    fn of(illuminance: Scaled, albedo: Scaled, f0: Scaled) -> Self {
-        let white = illuminance * Scaled::constant(INVERSE_PI);
-        let [e, white, matt] = [illuminance, white, white * albedo].map(Short::of);
-        // Sums stay below 2^32: a highlight's are below 2^31.
-        let guard = 14_i32.wrapping_sub(white.exponent).clamp(0, 6);
-        Self {
-            guard: guard as u32,
-            half: 1_u32.wrapping_shl(guard as u32) >> 1,
-            matt: matt.mantissa,
-            matt_shift: 16_i32.wrapping_sub(guard).wrapping_sub(matt.exponent),
-            mirrored: share(f0.to_q31(), e.mantissa),
-            missing: ((Scaled::ONE - f0).to_q31() >> 15).wrapping_mul(e.mantissa) >> 16,
-            exponent: e.exponent.wrapping_sub(15).wrapping_add(guard),
-        }
-    }
-
-    /// In Q16; saturates.
-    #[inline(always)]
-    fn radiance(&self, facing: Short, gloss: &Gloss) -> u32 {
-        let matt = self.matt.wrapping_mul(facing.mantissa) >> distance(self.matt_shift, facing.exponent);
-        let reflected = self.mirrored.wrapping_add(share(gloss.fresnel, self.missing) >> 1);
-        let bits = share(reflected, gloss.level.mantissa);
-        let exponent = self.exponent.wrapping_add(gloss.level.exponent);
-        if exponent > 0 {
-            return bright(bits, exponent.wrapping_sub(self.guard as i32), matt.wrapping_shr(self.guard));
-        }
-        let glossy = bits >> distance(0, exponent);
-        matt.wrapping_add(glossy).wrapping_add(self.half).wrapping_shr(self.guard)
-    }
-}
-
-/// A bright highlight and the rest, `bits * 2^exponent + matt`; saturates.
-#[cold]
-#[inline(never)]
-fn bright(bits: u32, exponent: i32, matt: u32) -> u32 {
-    let room = bits.leading_zeros() as i32;
-    let glossy = match exponent {
-        ..=0 => bits >> distance(0, exponent),
-        up if up <= room => bits.wrapping_shl(up as u32),
-        _ if bits == 0 => 0,
-        _ => u32::MAX,
-    };
-    glossy.saturating_add(matt)
 }

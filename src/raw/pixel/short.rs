@@ -21,10 +21,14 @@ pub(super) struct Long {
 }
 
 impl Short {
-    /// The number nearest to `value`, which is not negative; what is above `2^33` counts as that, and of what is below
-    /// `2^-46` bits are lost. For constants.
+    /// The number nearest to `value`, which is not negative and below `2^64`; what is below `2^-46` loses bits. For
+    /// constants.
     pub(super) fn of(value: Scaled) -> Self {
-        let fraction = if value < Scaled::ONE { 62 } else { 31 };
+        let fraction = match value {
+            small if small < Scaled::ONE => 62,
+            middle if middle < Scaled::from_bits(1, 32) => 31,
+            _ => 0,
+        };
         let bits = value.to_unsigned(fraction);
         let free = bits.leading_zeros();
         let rounded = (bits.wrapping_shl(free) >> 48) as u32 + (bits.wrapping_shl(free) >> 47 & 1) as u32;
