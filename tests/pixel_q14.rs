@@ -4,15 +4,13 @@ use std::f64::consts::PI;
 
 use oorandom::Rand64;
 use sunglint::fixed::types::I2F14;
-use sunglint::highlight::DiscGgx;
-use sunglint::light::LightError;
 use sunglint::material::{Material, Surface};
 use sunglint::oracle::highlight::{Glossy, Pixel};
-use sunglint::raw::{self, PixelQ14, SphereQ14, SurfaceQ14};
+use sunglint::raw::{PixelQ14, SUN_Q14, SphereQ14, SurfaceQ14};
 use sunglint::scene::{Channel, SceneError};
 use sunglint::trial::gloss::{ALBEDO, CASES, Case, F0};
 use sunglint::trial::{Shading, gloss};
-use sunglint::{DistantLight, Real, SUN, oracle};
+use sunglint::{DistantLight, Real, oracle};
 
 /// Pi in Q16, under which a white surface is white.
 const PI_Q16: u32 = 205_887;
@@ -81,8 +79,14 @@ fn of_case(case: &Case, count: usize) -> Errors {
     errors
 }
 
-/// Worst, root mean square and size of the mean of the relative error in the study's cases; the README's figures.
-const BUDGETS: [[f64; 3]; CASES.len()] = [[1.0; 3]; 5];
+/// Worst, root mean square and size of the mean of the relative error in the study's cases.
+const BUDGETS: [[f64; 3]; CASES.len()] = [
+    [1.1e-1, 4.4e-3, 6.0e-5],
+    [3.0e-3, 2.0e-4, 6.0e-5],
+    [2.4e-4, 4.4e-5, 2.0e-5],
+    [1.5e-2, 4.3e-4, 2.0e-5],
+    [7.5e-4, 7.0e-5, 2.0e-5],
+];
 
 #[test]
 fn the_study_s_cases_keep_their_budgets() {
@@ -103,7 +107,7 @@ fn the_study_s_cases_keep_their_budgets() {
             assert!(found <= budget && found >= budget / 4.0, "{name}: {what} {found:e}, budget {budget:e}");
         }
         assert!(found.mean().abs() <= mean, "{name}: mean {:e}", found.mean());
-        assert!(found.rms() <= 2.0 * generic.rms(), "{name}: {:e}, generic {:e}", found.rms(), generic.rms());
+        assert!(found.rms() <= 1.3 * generic.rms(), "{name}: {:e}, generic {:e}", found.rms(), generic.rms());
     }
 }
 
@@ -131,6 +135,8 @@ impl Shot {
         };
         let alpha = if source.rand_range(0..16) == 0 { 0.0 } else { logarithmic(source, 5e-4, 1.0) };
         let ratio = [0.0, 1.0, logarithmic(source, 1e-5, 1.0)][source.rand_range(0..32).min(2) as usize];
+        // As the light's constants have it.
+        let ratio = (ratio * 2_f64.powi(28)).round() / 2_f64.powi(28);
         let (n, l) = (direction(source), direction(source));
         let mirror = [0, 1, 2].map(|i| 2.0 * dot(n, l) * n[i] - l[i]);
         let aside = direction(source);
@@ -207,41 +213,138 @@ struct Formula {
     condition: f64,
 }
 
-/// Of the diffuse part, of the highlight by its condition, of a reflectance, and in last places of Q16.
-const PARTS: [f64; 4] = [1.0; 4];
+/// Of the diffuse part, of the highlight by its condition, of what that would be with a reflectance of 1, and in last
+/// places of Q16.
+const PARTS: [f64; 4] = [6.0e-5, 3.5e-4, 2.0e-5, 0.6];
 
 #[test]
 fn any_pixel_is_within_its_bound() {
     let mut source = Rand64::new(14);
     let (mut matt, mut glossy, mut whole) = (Errors::default(), Errors::default(), Errors::default());
-    for _ in 0..2_000_000 {
+    for _ in 0..1_000_000 {
         let shot = Shot::random(&mut source);
         let formula = shot.formula();
-        let value = f64::from(shot.shade()) / 65536.0;
-        if formula.condition.is_infinite() || formula.matt + formula.glossy > 65000.0 {
+        let value = shot.shade();
+        let sum = formula.matt + formula.glossy;
+        // The rim of a mirror's image is a step.
+        if formula.condition.is_infinite() {
             continue;
         }
-        let error = value - formula.matt - formula.glossy;
-        if formula.glossy == 0.0 && formula.matt > 1.0 {
+        let part = PARTS[0] * formula.matt + PARTS[1] * formula.glossy * formula.condition + PARTS[2] * formula.unit;
+        if sum - part >= 65536.0 {
+            assert_eq!(value, u32::MAX, "{shot:?}");
+            continue;
+        }
+        let error = f64::from(value) / 65536.0 - sum.min(65536.0);
+        let ratio = error / (part + PARTS[3] / 65536.0);
+        assert!(ratio.abs() <= 1.0, "{ratio} of {shot:?}, {formula:?}");
+        whole.add(ratio);
+        // Where one of the parts is alone.
+        if formula.glossy == 0.0 && formula.matt > 4.0 {
             matt.add(error / formula.matt);
-            if (error / formula.matt).abs() >= matt.worst {
-                println!("M {:e} {value} {shot:?} {formula:?}", matt.worst);
-            }
         }
-        if formula.glossy > 1.0 && formula.matt < 0.02 * formula.glossy && formula.glossy > 0.02 * formula.unit {
+        if formula.glossy > 4.0 && formula.matt < 0.01 * formula.glossy && formula.glossy > 0.1 * formula.unit {
             glossy.add(error / (formula.glossy * formula.condition));
-            if (error / (formula.glossy * formula.condition)).abs() >= glossy.worst {
-                println!("{:e} {shot:?} {formula:?}", glossy.worst);
-            }
         }
-        let allowed = PARTS[0] * formula.matt
-            + PARTS[1] * formula.glossy * formula.condition
-            + PARTS[2] * formula.unit
-            + PARTS[3] / 65536.0;
-        whole.add(error / allowed);
     }
-    println!("matt {:e} {:e} {:e}", matt.worst, matt.rms(), matt.mean());
-    println!("glossy {:e} {:e} {:e} {}", glossy.worst, glossy.rms(), glossy.mean(), glossy.count);
+    println!("matt {:e} {:e} {:+e} of {}", matt.worst, matt.rms(), matt.mean(), matt.count);
+    println!("glossy {:e} {:e} {:+e} of {}", glossy.worst, glossy.rms(), glossy.mean(), glossy.count);
     println!("whole {:e} {:e}", whole.worst, whole.rms());
-    assert!(whole.worst <= 1.0 && whole.worst >= 0.25, "{}", whole.worst);
+    assert!(matt.count > 10_000.0 && matt.worst >= PARTS[0] / 4.0, "{matt:?}");
+    assert!(glossy.count > 10_000.0 && glossy.worst >= PARTS[1] / 4.0, "{glossy:?}");
+    assert!(glossy.rms() <= 4.5e-5 && glossy.mean().abs() <= 2.5e-5, "{glossy:?}");
+    assert!(whole.worst >= 0.25, "{whole:?}");
+}
+
+/// Debug assertions find what wraps without saying so.
+#[test]
+fn any_bits_give_some_colour() {
+    let mut source = Rand64::new(15);
+    let any = |source: &mut Rand64| {
+        [(); 3].map(|()| {
+            [source.rand_u64() as i16, i16::MIN, i16::MAX, 0, 1, -1][source.rand_range(0..20).min(5) as usize]
+        })
+    };
+    for _ in 0..300_000 {
+        let shot = Shot::random(&mut source);
+        let shader = shot.shader();
+        let (n, v) = (any(&mut source), any(&mut source));
+        let colour = shader.shade(n, v);
+        assert_eq!(colour, [Channel::Red, Channel::Green, Channel::Blue].map(|c| shader.shade_channel(n, v, c)));
+        let behind = shot.v.map(|lane| -lane);
+        if dot(exact(shot.n), exact(shot.v)) >= 0.0 {
+            assert_eq!(shader.shade(shot.n, behind), [0; 3], "{shot:?}");
+        }
+    }
+}
+
+#[test]
+fn more_light_is_never_darker_but_for_rounding() {
+    let mut source = Rand64::new(16);
+    for _ in 0..20_000 {
+        let mut shot = Shot::random(&mut source);
+        let mut before = 0;
+        for bit in 8..32 {
+            shot.illuminance = 1 << bit;
+            let value = shot.shade();
+            assert!(value >= before, "{before} {value} {shot:?}");
+            // Twice the light is twice as bright.
+            if before > 1 << 16 && value < u32::MAX {
+                let ratio = f64::from(value) / f64::from(before);
+                assert!((ratio - 2.0).abs() < 1e-4, "{ratio} {shot:?}");
+            }
+            before = value;
+        }
+    }
+}
+
+/// The channels differ in reflectance and illuminance alone.
+#[test]
+fn each_channel_is_its_own() {
+    let colours = ([0.1, 0.2, 0.3], [0.02, 0.04, 0.9], [65_536, 131_072, 400_000]);
+    let coloured = Surface::of(&Material::new(colours.0, 0.1, colours.1).unwrap());
+    let (n, v, l) = ([0, 0, 16384], [-9000, 0, 13691], [9830, 0, 13107]);
+    let together = PixelQ14::new(l, &SUN_Q14, &coloured, colours.2).unwrap().shade(n, v);
+    for channel in 0..3 {
+        let grey = Surface::of(&Material::new([colours.0[channel]; 3], 0.1, [colours.1[channel]; 3]).unwrap());
+        let alone = PixelQ14::new(l, &SUN_Q14, &grey, [colours.2[channel]; 3]).unwrap().shade(n, v);
+        assert_eq!(alone, [together[channel]; 3]);
+    }
+}
+
+/// Of a point at the zenith, worked out by hand: `n`, `v`, `l` and `h` are one, so `D = 1 / (pi alpha^2)`, `V = 1/4`,
+/// `F = f0`; and on a mirror under a point there is no highlight.
+#[test]
+fn known_pixels() {
+    let up = [0, 0, 16384];
+    let point = SphereQ14::new(&DistantLight::from_ratio(0.0).unwrap());
+    let shade = |alpha: f64| {
+        let surface = Surface::of(&Material::new([0.5; 3], alpha, [0.25; 3]).unwrap());
+        PixelQ14::new(up, &point, &surface, [PI_Q16; 3]).unwrap().shade_channel(up, up, Channel::Red)
+    };
+    // 1/2 and 1/16 over alpha^2.
+    let rough = f64::from(shade(0.5)) / 65536.0;
+    assert!((rough / 0.75 - 1.0).abs() < 1e-4, "{rough}");
+    let mirror = f64::from(shade(0.0)) / 65536.0;
+    assert!((mirror / 0.5 - 1.0).abs() < 1e-4, "{mirror}");
+}
+
+#[test]
+fn a_light_beyond_half_the_sky_is_one() {
+    let light = SphereQ14::new(&DistantLight::from_angle(270.0).unwrap());
+    let surface = Surface::of(&Material::new([1.0; 3], 1.0, [0.0; 3]).unwrap());
+    let shade = |n: [i16; 3]| {
+        let pixel = PixelQ14::new([0, 0, 16384], &light, &surface, [PI_Q16; 3]).unwrap();
+        f64::from(pixel.shade_channel(n, n, Channel::Red)) / 65536.0
+    };
+    // White all over, and what is below the horizon sees the other half.
+    assert!(shade([0, 0, 16384]) > 0.999 && shade([16384, 0, 0]) > 0.5 && shade([0, 0, -16384]) > 0.0);
+}
+
+#[test]
+fn a_direction_that_is_none_is_refused() {
+    let surface = surface(&CASES[1]);
+    for direction in [[0, 0, 0], [0, 0, 14000], [16384, 16384, 0]] {
+        assert!(matches!(PixelQ14::new(direction, &SUN_Q14, &surface, [1; 3]), Err(SceneError::Direction(_))));
+    }
 }

@@ -1,4 +1,14 @@
-//! A whole lit pixel in Q14, in products of 32 bits.
+//! A whole lit pixel in Q14, in products of 32 bits: beside the generic formula of [`shade_channel_q14`] a kernel of
+//! its own, for chips on which that one's 64-bit products and divisions take too long.
+//!
+//! Numbers are [`Short`]: 16-bit mantissas with an exponent, so that a product is one instruction on the smallest core.
+//! The fractions of Smith's shadowing and of GGX over the disc are put under one, for which there is one reciprocal;
+//! of roots there are four. Everything is multiplied by `|l + v|^2`, so that neither `h` nor `1 / (v.h)` is needed:
+//! with `A = n.l + n.v`, `P = alpha^2 A^2 + |n x (l + v)|^2 - w |l + v|` and `H^2 = P^2 + 4 alpha^2 A^2 w |l + v|`,
+//!
+//! `D = 2 alpha^2 |l + v|^4 / (pi H (H + P))`, and for `P < 0` the equal `(H - P) |l + v|^3 / (2 pi w A^2 H)`.
+//!
+//! [`shade_channel_q14`]: super::shade_channel_q14
 
 mod colour;
 mod lobe;
@@ -17,7 +27,49 @@ use crate::real::Scaled;
 use crate::scene::{Channel, SceneError};
 use crate::vec3::each;
 
-/// One light on one material.
+/// One light on one material, its constants computed: the fast way to a whole pixel where products have 32 bits.
+///
+/// A pixel is Lambert's law by [`relative_illuminance`] and the highlight of
+/// [`DiscGgx::new`](crate::highlight::DiscGgx::new) with Smith's shadowing and Schlick's reflectance, as
+/// [`shade_channel_q14`](super::shade_channel_q14) makes it of a scene with that light alone and that method. For more
+/// lights add up their pixels, saturating.
+///
+/// Directions are Q14 and of length 1 but for their rounding; up to 1.16 nothing overflows, and longer ones give some
+/// colour, never a panic. Illuminance and radiance are unsigned Q16, and what is too great is `2^32 - 1`. Any light,
+/// any `alpha` of a [`SurfaceQ14`].
+///
+/// Black where the surface faces away from the viewer. No highlight where `n.v` or `n.l` is at most `2^-14`, which is
+/// a 300th of a degree and less than what the vectors' rounding moves them by; none for a mirror under a point.
+///
+/// # Error
+/// By itself, against the exact value of the formula at the same vectors (`tests/pixel_q14.rs`, two million random
+/// pixels): 6e-5 of the diffuse part, 8e-4 of the highlight (root mean square 6e-5) times the formula's condition,
+/// which is 2 away from the disc's image and grows at the rim of a sharp one, 2e-5 of what the highlight would be with
+/// a reflectance of 1, and 0.6 of the last place. The vectors' rounding costs more: in the study's cases the root mean
+/// square is that of the generic pixel, 3.6e-5 to 4e-3, or up to 1.7 times as much.
+///
+/// # Cost
+/// Instructions with the call, as QEMU counts them, for one channel: 754 on Cortex-M0+, 380 on M3 and M4F, where the
+/// generic pixel takes 20 500 and 6500; a highlight of thousands of times its light up to 50 more; each further channel
+/// some 50 (27). Where the surface cuts the disc, the generic [`relative_illuminance`] adds some 15 000 (5000).
+///
+/// ```
+/// use sunglint::material::{Material, Surface};
+/// use sunglint::raw::{PixelQ14, SUN_Q14};
+/// use sunglint::scene::Channel;
+///
+/// const ROAD: Material = match Material::new([0.2; 3], 0.0625, [0.04; 3]) {
+///     Ok(road) => road,
+///     Err(_) => panic!("reflectances and alpha are from 0 to 1"),
+/// };
+///
+/// // The Sun at 37 degrees from straight up, pi bright in Q16; the viewer where its mirror image is.
+/// let pixel = PixelQ14::new([9830, 0, 13107], &SUN_Q14, &Surface::of(&ROAD), [205_887; 3])?;
+/// let [matt, glint] = [[0, 0, 16384], [-9830, 0, 13107]].map(|v| pixel.shade_channel([0, 0, 16384], v, Channel::Red));
+/// // 0.16, and some 2.6 with the glint.
+/// assert!((10_000..12_000).contains(&matt) && glint > 10 * matt);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelQ14 {
     direction: [i32; 3],
@@ -32,7 +84,8 @@ pub struct PixelQ14 {
 }
 
 impl PixelQ14 {
-    /// The constants of a light in a unit `direction`, Q14, that gives a surface which faces it `illuminance`, Q16.
+    /// The constants of a light whose centre is in the unit `direction`, Q14, and that gives a surface which faces it
+    /// `illuminance` in red, green and blue, Q16. Some thousand instructions in [`Scaled`] numbers, once a light.
     ///
     /// # Errors
     /// [`SceneError::Direction`] where the length is not within a tenth of 1.
@@ -43,9 +96,8 @@ impl PixelQ14 {
         illuminance: [u32; 3],
     ) -> Result<Self, SceneError<Scaled>> {
         lamp_q14(direction, light, illuminance)?;
-        let [e, albedo, f0] =
-            [illuminance.map(|bits| Scaled::from_unsigned(bits.into(), -16)), surface.albedo, surface.f0];
-        let colour = |channel: usize| Colour::of(e[channel], albedo[channel], f0[channel]);
+        let [e, f, g] = each(illuminance, |bits| Scaled::from_unsigned(bits.into(), -16));
+        let ([red, green, blue], [r, s, t]) = (surface.albedo, surface.f0);
         let alpha_square = Short::of(surface.alpha * surface.alpha);
         Ok(Self {
             direction: each(direction, i32::from),
@@ -54,11 +106,12 @@ impl PixelQ14 {
             alpha_square: alpha_square.mantissa,
             alpha_shift: distance(2, alpha_square.exponent),
             lobe: Lobe::of(light, surface.alpha),
-            channels: [colour(0), colour(1), colour(2)],
+            channels: [Colour::of(e, red, r), Colour::of(f, green, s), Colour::of(g, blue, t)],
         })
     }
 
-    /// Radiance in one channel, Q16.
+    /// Radiance in one channel, Q16, that a surface of the unit normal `n` sends towards the unit direction `v`, both
+    /// Q14. Error and cost are the type's.
     pub fn shade_channel(&self, n: [i16; 3], v: [i16; 3], channel: Channel) -> u32 {
         let [red, green, blue] = &self.channels;
         let colour = match channel {
@@ -72,12 +125,12 @@ impl PixelQ14 {
         }
     }
 
-    /// Radiance in red, green and blue, Q16.
+    /// [`shade_channel`](Self::shade_channel) of red, green and blue.
     pub fn shade(&self, n: [i16; 3], v: [i16; 3]) -> [u32; 3] {
         match self.seen(n, v) {
             Some((facing, gloss)) => {
                 let [red, green, blue] = &self.channels;
-                [red, green, blue].map(|colour| colour.radiance(facing, &gloss))
+                each([red, green, blue], |colour| colour.radiance(facing, &gloss))
             }
             None => [0; 3],
         }

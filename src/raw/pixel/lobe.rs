@@ -1,4 +1,4 @@
-//! The highlight's own factors: GGX averaged over the disc, and Smith's shadowing put under the same fraction.
+//! GGX averaged over the disc, with Smith's shadowing put under the same fraction.
 
 use super::super::SphereQ14;
 use super::short::{Long, Short, distance, share};
@@ -62,17 +62,18 @@ impl Lobe {
         }
     }
 
-    /// `D V (n.l)`.
+    /// `D V (n.l)`, of Smith's `(n.l) L(n.v) + (n.v) L(n.l)`; all of [`Lean`] in units of `b`.
     #[inline(always)]
     pub(super) fn level(&self, lean: &Lean, toward_light: Short, shadow: Short) -> Short {
         let upright_square = lean.upright.product(lean.upright).short();
         let (rough, disc) = (upright_square.product(self.rough), lean.root.product(self.disc));
         let p = self.difference(rough, disc, &lean.tilt);
         let size = Long { mantissa: p.mantissa.unsigned_abs(), exponent: p.exponent }.normalised::<31>().short();
+        // 4 alpha^2 A^2 w |l + v| / b^4; where it counts, P is no greater.
         let product = rough.short().product(disc.short());
         let both = Long { exponent: product.exponent.wrapping_add(2), ..product };
         let hypotenuse = size.product(size).plus(both).normalised::<7>().root();
-        // Half of it.
+        // Half of H + |P|.
         let sum = hypotenuse.mean(size);
         let (over, under) = (toward_light.times(lean.square), shadow.times(hypotenuse));
         let (over, under) = if p.mantissa < 0 {
@@ -85,7 +86,7 @@ impl Lobe {
         over.times(under.normalised::<3>().short().reciprocal())
     }
 
-    /// `p`.
+    /// `P / b^2`. Its terms may cancel, near the rim of a sharp image, hence keep up to 32 bits.
     #[inline(always)]
     fn difference(&self, rough: Long, disc: Long, tilt: &Long) -> Signed {
         let mantissa = share(tilt.mantissa, self.inverse.mantissa) >> 1;
