@@ -215,7 +215,7 @@ struct Formula {
 
 /// Of the diffuse part, of the highlight by its condition, of what that would be with a reflectance of 1, and in last
 /// places of Q16.
-const PARTS: [f64; 4] = [6.0e-5, 3.5e-4, 2.0e-5, 0.6];
+const PARTS: [f64; 4] = [6.0e-5, 6.0e-4, 2.0e-5, 0.6];
 
 #[test]
 fn any_pixel_is_within_its_bound() {

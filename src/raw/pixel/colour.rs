@@ -2,6 +2,7 @@
 
 use super::short::{Short, distance, share};
 use crate::real::{INVERSE_PI, Scalar, Scaled};
+use crate::vec3::each;
 
 /// What one channel needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +40,7 @@ impl Gloss {
 impl Colour {
     pub(super) fn of(illuminance: Scaled, albedo: Scaled, f0: Scaled) -> Self {
         let white = illuminance * Scaled::constant(INVERSE_PI);
-        let [e, white, matt] = [illuminance, white, white * albedo].map(Short::of);
+        let [e, white, matt] = each([illuminance, white, white * albedo], Short::of);
         // Sums stay below 2^32: a highlight's are below 2^31.
         let guard = 14_i32.wrapping_sub(white.exponent).clamp(0, 6);
         Self {
@@ -60,11 +61,11 @@ impl Colour {
         let reflected = self.mirrored.wrapping_add(share(gloss.fresnel, self.missing) >> 1);
         let bits = share(reflected, gloss.level.mantissa);
         let exponent = self.exponent.wrapping_add(gloss.level.exponent);
+        let matt = matt.wrapping_add(self.half);
         if exponent > 0 {
             return bright(bits, exponent.wrapping_sub(self.guard as i32), matt.wrapping_shr(self.guard));
         }
-        let glossy = bits >> distance(0, exponent);
-        matt.wrapping_add(glossy).wrapping_add(self.half).wrapping_shr(self.guard)
+        matt.wrapping_add(bits >> distance(0, exponent)).wrapping_shr(self.guard)
     }
 }
 

@@ -27,7 +27,7 @@ pub(super) fn root(y: u32, odd: u32) -> u32 {
 #[inline(always)]
 pub(super) fn reciprocal(y: u32) -> u32 {
     let cell = (y >> 8 & 127) as usize;
-    let [from, to] = [cell, cell + 1].map(|cell| u32::from(RECIPROCALS[cell]));
+    let (from, to) = (u32::from(RECIPROCALS[cell]), u32::from(RECIPROCALS[cell + 1]));
     let fall = from.wrapping_sub(to).wrapping_mul(y & 0xff) >> 8;
     (1 << 16 | from).wrapping_sub(fall) >> 1
 }

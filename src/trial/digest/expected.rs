@@ -5,7 +5,7 @@
 pub(super) const I2F14: [u64; 2] = [0xf9d5ee24ce8dddc3, 0x8a7a8c98a50407ba];
 pub(super) const I2F30: [u64; 2] = [0x252d980f88d15ea2, 0xb18b8f2d5140fbe5];
 pub(super) const I16F16: [u64; 2] = [0x60cb5359f4a79448, 0xeaf3f463addc999f];
-pub(super) const INTEGERS: [u64; 2] = [0xe20a7c3f1c4f14ac, 0x1a02198814880fe0];
+pub(super) const INTEGERS: [u64; 2] = [0x20dd7bee8dcf7c82, 0xde287a7a603b2d7d];
 pub(super) const F64: [u64; 2] = [0xa3e15c48be1479a4, 0x27d21706eac60956];
 pub(super) const F32: [u64; 2] = [0x3d1310390eb48ba2, 0xb42d73c6fcdca258];
 pub(super) const MICROMATH: [u64; 2] = [0x26fe7bed7c07ebb1, 0xfa9ff887434c2195];
