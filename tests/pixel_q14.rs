@@ -250,7 +250,7 @@ fn any_pixel_is_within_its_bound() {
     println!("matt {:e} {:e} {:+e} of {}", matt.worst, matt.rms(), matt.mean(), matt.count);
     println!("glossy {:e} {:e} {:+e} of {}", glossy.worst, glossy.rms(), glossy.mean(), glossy.count);
     println!("whole {:e} {:e}", whole.worst, whole.rms());
-    assert!(matt.count > 10_000.0 && matt.worst >= PARTS[0] / 4.0, "{matt:?}");
+    assert!(matt.count > 5_000.0 && matt.worst >= PARTS[0] / 4.0, "{matt:?}");
     assert!(glossy.count > 10_000.0 && glossy.worst >= PARTS[1] / 4.0, "{glossy:?}");
     assert!(glossy.rms() <= 4.5e-5 && glossy.mean().abs() <= 2.5e-5, "{glossy:?}");
     assert!(whole.worst >= 0.25, "{whole:?}");
