@@ -106,9 +106,7 @@ impl Long {
 /// How many bits to shift by from an exponent to a greater one; 31 where all are lost.
 #[inline(always)]
 pub(super) fn distance(greater: i32, exponent: i32) -> u32 {
-    let distance = greater.wrapping_sub(exponent);
-    // One instruction where there is one to saturate; otherwise one bound is cheaper to keep than two.
-    if NARROW { (distance as u32).min(31) } else { distance.clamp(0, 31) as u32 }
+    greater.wrapping_sub(exponent).clamp(0, 31) as u32
 }
 
 /// `bits * 2^zeros` with the first bit set, and the zeros before; but at most `MOST` zeros, which is 31, 15, 7 or 3.
