@@ -8,6 +8,8 @@
 
 mod blackbody;
 mod diffuse;
+#[cfg(feature = "heapless")]
+mod pixel;
 mod radiometry;
 mod sampling;
 #[cfg(feature = "heapless")]
@@ -15,6 +17,8 @@ mod scene;
 
 pub use blackbody::*;
 pub use diffuse::*;
+#[cfg(feature = "heapless")]
+pub use pixel::PixelQ14;
 pub use radiometry::*;
 pub use sampling::*;
 #[cfg(feature = "heapless")]

@@ -76,13 +76,14 @@ fn of_format<T: Digested>(cases: u32) -> Digest {
     digest
 }
 
-/// What is of no one format: normalisation in integers, numbers of wide range, Planck's law.
+/// What is of no one format: normalisation in integers, numbers of wide range, Planck's law; and whole pixels on bits.
 fn of_integers(cases: u32) -> Digest {
     let mut digest = Digest::EMPTY;
     let mut source = Source(2);
     for _ in 0..cases {
         calls::normalization(&mut source, &mut digest);
         calls::scaled(&mut source, &mut digest);
+        calls::pixel(&mut source, &mut digest);
     }
     digest
 }

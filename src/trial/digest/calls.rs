@@ -1,6 +1,6 @@
 //! The functions whose results are digested.
 
-use fixed::types::{I2F30, I16F16, U16F48, U20F12};
+use fixed::types::{I2F14, I2F30, I16F16, U16F48, U20F12};
 
 use super::hash::{Bits, Digest};
 use super::source::{Digested, Source};
@@ -10,6 +10,7 @@ use crate::highlight::{ConeGgx, DiscGgx, Highlight, PointGgx, ShiftedConeGgx, ex
 use crate::material::Surface;
 use crate::normalization;
 use crate::radiometry::{self, Patch, SphereLight};
+use crate::raw::PixelQ14;
 use crate::real::{Scalar, Scaled};
 use crate::sampling::{Cone, basis, points, sin_cos};
 use crate::scene::{Lamp, Scene};
@@ -143,4 +144,22 @@ pub(super) fn scaled(source: &mut Source, digest: &mut Digest) {
         .add_to(digest);
     [blackbody::peak_wavelength(kelvins), blackbody::peak_frequency(kelvins)].add_to(digest);
     [blackbody::radiant_exitance(kelvins), blackbody::total_radiance(kelvins)].add_to(digest);
+}
+
+/// Whole pixels by the kernel for Q14: about the mirror ray, and any.
+pub(super) fn pixel(source: &mut Source, digest: &mut Digest) {
+    let channels = |source: &mut Source| [(); 3].map(|()| source.part());
+    let Ok(surface) = Surface::<I2F14>::new(channels(source), source.part(), channels(source)) else {
+        return digest.add(0);
+    };
+    let light = source.light::<I2F14>();
+    let n = source.direction::<I2F14>();
+    let l = source.beside(n);
+    let v = if source.below(2) == 0 { reflect(n, source.beside(l)) } else { source.beside(n) };
+    let [n, v, l] = [n, v, l].map(|direction| direction.map(I2F14::to_bits));
+    let levels = [(); 3].map(|()| (source.bits() >> 32) as u32 >> source.below(32));
+    match PixelQ14::new(l, &light, &surface, levels) {
+        Ok(pixel) => pixel.shade(n, v).into_iter().for_each(|level| digest.add(level.into())),
+        Err(_) => digest.add(1),
+    }
 }

@@ -104,6 +104,11 @@ fn raw_scenes() {
     keep(raw::lamp_q14(n, &black_box(SUN_Q14), black_box([0; 3])).and_then(|lamp| scene.push(&lamp)));
     let scene = black_box(scene);
     keep((raw::shade_q14(&scene, n, v), raw::shade_channel_q14(&scene, n, v, black_box(Channel::Red))));
+    let surface = Surface::of(&black_box(MATERIAL));
+    if let Ok(pixel) = raw::PixelQ14::new(n, &black_box(SUN_Q14), &surface, black_box([0; 3])) {
+        let pixel = black_box(pixel);
+        keep((raw::PixelQ14::shade(&pixel, n, v), raw::PixelQ14::shade_channel(&pixel, n, v, black_box(Channel::Red))));
+    }
     let (n, v) = black_box(([0, 0, 0], [0, 0, 0]));
     let mut scene = raw::SceneQ30::<2>::new(&Surface::of(&black_box(MATERIAL)));
     keep(raw::lamp_q30(n, &black_box(SUN_Q30), black_box([0; 3])).and_then(|lamp| scene.push(&lamp)));
