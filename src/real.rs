@@ -131,7 +131,8 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// `v` at unit length; zero where `v` is zero or not finite.
     fn normalize(v: [Self; 3]) -> [Self; 3];
 
-    /// [`cap`](crate::specular::cap): by its formula, or by code for the format that is faster and within the same budget.
+    /// [`cap`](crate::specular::cap): by its formula, or by code for the format that is faster and within the same
+    /// budget.
     #[inline]
     fn cap(l: [Self; 3], r: [Self; 3], light: &DistantSphere<Self>) -> [Self; 3] {
         nearest(l, r, light)

@@ -1,5 +1,5 @@
-//! The README's table of what calls cost on a microcontroller is made of the table of counts and of the errors that tests
-//! hold; where it is not, the test prints the lines to put there.
+//! The README's table of what calls cost on a microcontroller is made of the table of counts and of the errors that
+//! tests hold; where it is not, the test prints the lines to put there.
 
 use std::collections::HashMap;
 
@@ -64,8 +64,10 @@ fn figure(error: f64, unit: &str) -> String {
 /// The worst of all inputs, as `tests/exhaustive` holds it.
 fn proved(name: &str, format: &str) -> String {
     let start = format!("{name};{format};");
-    let lines = include_str!("worst/kernels.csv").lines();
-    let line = lines.filter(|line| line.starts_with(&start)).last().unwrap_or_else(|| panic!("no {start}"));
+    let line = include_str!("worst/kernels.csv")
+        .lines()
+        .find(|line| line.starts_with(&start))
+        .unwrap_or_else(|| panic!("no {start}"));
     figure(line.split(';').nth(4).unwrap().parse().unwrap(), "ULP")
 }
 

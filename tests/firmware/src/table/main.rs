@@ -1,5 +1,5 @@
-//! `table <folder of fresh counts and linked functions> <committed table>`: puts what has been counted and linked on all
-//! cores together and compares it with the committed table; with `SUNGLINT_RECORD=1` it writes that instead.
+//! `table <folder of fresh counts and linked functions> <committed table>`: puts what has been counted and linked on
+//! all cores together and compares it with the committed table; with `SUNGLINT_RECORD=1` it writes that instead.
 
 mod elf;
 mod line;
