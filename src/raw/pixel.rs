@@ -113,6 +113,7 @@ impl PixelQ14 {
 
     /// Radiance in one channel, Q16, that a surface of the unit normal `n` sends towards the unit direction `v`, both
     /// Q14. Error and cost are the type's.
+    #[inline]
     pub fn shade_channel(&self, n: [i16; 3], v: [i16; 3], channel: Channel) -> u32 {
         let [red, green, blue] = &self.channels;
         let colour = match channel {
