@@ -50,6 +50,7 @@ fn point((row, price): &(&KernelRow, Price), mean: Mean, on_frontier: bool) -> P
     Point {
         method: row.kernel.clone(),
         format: row.format.clone(),
+        peer: false,
         cost: price.cost,
         error: error(row, mean),
         fails: !row.error_max.is_finite(),

@@ -2,9 +2,11 @@
 
 use sunglint::trial::chip::{self, Cost};
 
+use crate::author::OURS;
 use crate::axis::{Axis, Costs};
-use crate::chip::{ChipRow, Found, OURS};
+use crate::chip::{ChipRow, Found};
 use crate::result::{KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
+use crate::rivals::Rivals;
 
 /// Times on this machine.
 pub const HOST: Costs<'static> = Costs { axis: Axis::Host, chip: &[] };
@@ -17,6 +19,7 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         theta: 0.004650484,
         method: method.to_owned(),
         format: format.to_owned(),
+        by: OURS,
         cost,
         cost_low: cost * 0.98,
         cost_high: cost * 1.02,
@@ -62,6 +65,7 @@ pub fn study(rows: Vec<Row>) -> Study {
         lobes: Vec::new(),
         kernels: Vec::new(),
         chip: Vec::new(),
+        rivals: Rivals::default(),
     }
 }
 
@@ -98,6 +102,7 @@ pub fn pixel(method: &str, format: &str, cost: f64, error: f64) -> PixelRow {
         alpha: 0.001,
         method: method.to_owned(),
         format: format.to_owned(),
+        by: OURS,
         cost,
         cost_low: cost * 0.98,
         cost_high: cost * 1.02,
@@ -165,7 +170,7 @@ pub fn count(function: &'static str, format: &'static str, case: &'static str, m
             costs: medians.map(|median| median.map(cost)),
             note: "",
         },
-        found: Some(Found { error: 1e-7, unit: "rad".to_owned(), failure: None }),
+        found: Some(Found { error: 1e-7, unit: "rad".to_owned(), failure: None, note: "" }),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::cells::{self, bits, cell, count, percent, scientific, sortable, text};
 use super::costs;
+use crate::author::is_ours;
 use crate::axis::Costs;
 use crate::chart::{self, under_light};
 use crate::direction_panel;
@@ -56,10 +57,10 @@ pub fn charts(study: &Study) -> String {
     let choice =
         [cells::select("Light", "light", &lights), cells::radio("Error", "kind", &kinds), costs::choice(&offered)];
     let figure = |light: &String, kind: ErrorKind, costs: Costs| {
-        let rows = under_light(&study.rows, light);
+        let rows = under_light(study.all_directions(), light);
         let name = format!("{}: {} error", chart::direction_title(light, costs.axis), kind.name());
         let svg = chart::one_panel(&direction_panel::field(&rows, kind, costs), &key, &name);
-        let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
+        let calls: Vec<_> = rows.iter().filter(|row| is_ours(row.by)).map(|row| row.call()).collect();
         let caption = format!("{light}, {} error {}", kind.name(), kind.against());
         let caption = caption + &costs::caption(&costs, COUNTED, &calls);
         cells::figure(&[("light", light), ("kind", kind.name()), ("axis", costs.axis.name())], &caption, &svg)

@@ -4,6 +4,7 @@ use sunglint::trial::chip::WIDTHS;
 
 use super::cells::{self, bits, cell, scientific, sortable, text};
 use super::costs;
+use crate::author::is_ours;
 use crate::axis::Costs;
 use crate::chart::{self, of_case};
 use crate::error_kind::ErrorKind;
@@ -73,11 +74,11 @@ pub fn charts(study: &Study) -> String {
     let offered = Costs::offered(&study.chip, &calls);
     let counted = counted();
     let figure = |case: &String, error: PixelError, costs: Costs| {
-        let rows = of_case(&study.pixels, case);
+        let rows = of_case(study.all_pixels(), case);
         let field = pixel_panel::field(&rows, error, costs);
         let svg = chart::one_panel(&field, &key, &chart::pixel_title(case, error, costs.axis));
         let (kind, mean) = (error.kind.name(), error.mean.name());
-        let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
+        let calls: Vec<_> = rows.iter().filter(|row| is_ours(row.by)).map(|row| row.call()).collect();
         let caption = format!("{case}: {mean} of the {kind} error {}", error.against());
         let caption = caption + &costs::caption(&costs, &counted, &calls);
         cells::figure(&[("case", case), ("kind", kind), ("mean", mean), ("axis", costs.axis.name())], &caption, &svg)
