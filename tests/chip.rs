@@ -80,6 +80,14 @@ fn nothing_of_this_crate_is_missing() {
             "{function} {format} {case}"
         );
     }
+    for function in ["reflect", "normalize", "root", "reciprocal root"] {
+        assert!(row(function, "f32", "sunglint soft", "any").is_some(), "{function}");
+    }
+    assert!(row("reciprocal root", "U16F16", "sunglint", "any").is_some());
+    for case in Case::ALL.map(Case::name) {
+        assert!(row("cap", "f32", "sunglint soft", case).is_some(), "{case}");
+        assert!(row("pixel disc_ggx", "I2F14", "PixelQ14", case).is_some(), "{case}");
+    }
     for format in ["I2F14", "I2F30"] {
         assert!(Case::ALL.iter().all(|case| row("cap", format, "formula", case.name()).is_some()), "{format}");
     }

@@ -205,6 +205,16 @@ const FAMILIES: usize = 6;
 /// Budgets for f64, f32, micromath, f16, I2F14, I2F30 and I16F16.
 type Formats = [f64; 7];
 
+/// Worst, root mean square and size of the mean of the relative error of [`PixelQ14`](crate::raw::PixelQ14) in each of
+/// [`CASES`] (`tests/pixel_q14.rs`).
+pub const PIXEL_Q14: [[f64; 3]; CASES.len()] = [
+    [1.1e-1, 4.4e-3, 6.0e-5],
+    [3.0e-3, 2.0e-4, 6.0e-5],
+    [2.4e-4, 4.4e-5, 2.0e-5],
+    [1.5e-2, 4.3e-4, 2.0e-5],
+    [7.5e-4, 7.0e-5, 2.0e-5],
+];
+
 /// Greatest relative arithmetic error of [`arithmetic`], by [`family`], case and format: 1.12 times the worst of 50 000
 /// pixels from each of the seeds 1 to 3, rounded up to two digits (an ignored test of `tests/gloss.rs` prints it
 /// again).

@@ -13,6 +13,7 @@ use sunglint::highlight::{ConeGgx, DiscGgx, Gloss, PointGgx, ShiftedConeGgx};
 use sunglint::micromath::F32;
 use sunglint::raw::{self, SphereQ14};
 
+use calls::by_hand::{self, Seen, SoftRay};
 use calls::directions::{self, Ray};
 use calls::highlights::{self, Glossy, Lit};
 use calls::sampling::{self, Facing, Matt, Sample};
@@ -83,6 +84,13 @@ export!("reciprocal root/f32/sunglint", vectors::reciprocal_root, f32, f32);
 export!("reciprocal root/micromath/sunglint", vectors::reciprocal_root, F32, F32);
 export!("reciprocal root/f16/sunglint", vectors::reciprocal_root, f16, f16);
 export!("reciprocal root/Q31/sunglint", vectors::mantissa_reciprocal_root, u32, u32);
+export!("cap/f32/sunglint soft", by_hand::soft_cap, SoftRay, [f32; 3]);
+export!("reflect/f32/sunglint soft", by_hand::soft_reflect, [[f32; 3]; 2], [f32; 3]);
+export!("normalize/f32/sunglint soft", by_hand::soft_normalize, [f32; 3], [f32; 3]);
+export!("root/f32/sunglint soft", by_hand::soft_root, f32, f32);
+export!("reciprocal root/f32/sunglint soft", by_hand::soft_reciprocal_root, f32, f32);
+export!("reciprocal root/U16F16/sunglint", by_hand::reciprocal_root_q16, u32, u32);
+export!("pixel disc_ggx/I2F14/PixelQ14", by_hand::pixel_q14, Seen, u32);
 export!("cap/I2F14/formula", directions::cap_by_formula, Ray<I2F14>, [I2F14; 3]);
 export!("cap/I2F30/formula", directions::cap_by_formula, Ray<I2F30>, [I2F30; 3]);
 

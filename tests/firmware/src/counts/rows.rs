@@ -1,5 +1,6 @@
 //! The rows, by group. To add one, count it here and export it from `bytes.rs`.
 
+mod by_hand;
 mod directions;
 mod highlights;
 mod peers;
@@ -19,6 +20,7 @@ pub fn count(counter: &Counter) {
     vectors::of_floats(counter);
     vectors::of_mantissas(counter);
     directions::by_formula(counter);
+    by_hand::count(counter);
     peers::count(counter);
 }
 
