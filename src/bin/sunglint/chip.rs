@@ -40,7 +40,7 @@ pub struct Found {
     /// How it fails, if it does.
     pub failure: Option<String>,
     /// What else there is to say of it.
-    pub note: &'static str,
+    pub note: String,
 }
 
 /// Names of a core's columns: as those of the table that it comes from.
@@ -82,9 +82,7 @@ impl ChipRow {
 
     /// What there is to say of the counts and of the error.
     pub fn notes(&self) -> String {
-        let found = self.found.as_ref().map_or("", |found| found.note);
-        let all = [self.count.note, if found == self.count.note { "" } else { found }];
-        all.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join("; ")
+        joined([self.count.note, self.found.as_ref().map_or("", |found| &found.note)])
     }
 
     /// Why it is worth nothing, or nothing if it works.
@@ -127,13 +125,13 @@ fn found(study: &Study, count: &chip::Row) -> Option<Found> {
         error,
         unit: unit.to_owned(),
         failure: failure.clone(),
-        note: "",
+        note: String::new(),
     };
     let same =
         |function: &str, format: &str, by: &str| [function, format, by] == [count.function, count.format, count.by];
     if is_peer(count.by) {
         let peer = peers::rows().find(|peer| same(peer.function, peer.format, peer.by))?;
-        return Some(Found { note: peer.note, ..own(peer.error, peer.unit, &None) });
+        return Some(Found { note: joined([peer.how, peer.note]), ..own(peer.error, peer.unit, &None) });
     }
     if let Some(method) = count.function.strip_prefix(PIXEL) {
         let mut rows = study.all_pixels().filter(|row| row.case == PIXEL_CASE);
@@ -145,6 +143,11 @@ fn found(study: &Study, count: &chip::Row) -> Option<Found> {
     direction
         .map(|row| own(row.error_max, "rad", &row.failure))
         .or_else(|| kernel().map(|row| own(row.error_max, &row.unit, &None)))
+}
+
+/// Those of `notes` that say something.
+fn joined(notes: [&str; 2]) -> String {
+    notes.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join("; ")
 }
 
 /// What `call` costs on `core`: the median outside the disc, or of all inputs where these make no difference.
@@ -179,6 +182,7 @@ pub fn names(rows: &[ChipRow], part: impl Fn(&chip::Row) -> &'static str) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::author::{FORMULA, SOFT};
     use crate::sample;
 
     #[test]
@@ -215,6 +219,21 @@ mod tests {
         assert_eq!(unit("pixel cone_ggx").as_deref(), Some("relative"));
         assert_eq!(unit("normalize").as_deref(), Some("rad"));
         assert_eq!(unit("cone_ggx"), None, "a highlight alone is not judged here");
+    }
+
+    #[test]
+    fn an_error_is_that_of_the_same_code() {
+        let mut study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        study.rivals.directions.push(Row { by: SOFT, ..sample::row("cap", "f32", 1.0, 5e-8) });
+        let found = |by| {
+            let count = chip::Row { by, ..sample::count("cap", "f32", "outside", [Some(9); 3]).count };
+            found(&study, &count).map(|found| (found.error, found.note))
+        };
+        assert_eq!(found(OURS), Some((1e-7, String::new())));
+        assert_eq!(found(SOFT), Some((5e-8, String::new())));
+        assert_eq!(found(FORMULA), None);
+        let (error, note) = found("micromath 2.1.0").expect("a peer");
+        assert!(error == 1.598e-4 && note.starts_with("200 000 random; by the exponent"), "{error:e} {note}");
     }
 
     #[test]

@@ -170,7 +170,7 @@ pub fn count(function: &'static str, format: &'static str, case: &'static str, m
             costs: medians.map(|median| median.map(cost)),
             note: "",
         },
-        found: Some(Found { error: 1e-7, unit: "rad".to_owned(), failure: None, note: "" }),
+        found: Some(Found { error: 1e-7, unit: "rad".to_owned(), failure: None, note: String::new() }),
     }
 }
 

@@ -14,7 +14,7 @@ several. <strong>By</strong> says whose it is: <em>sunglint</em> as it is always
 code of a format that has code of its own beside it, <em>sunglint soft</em> f32 computed in integers, <em>PixelQ14</em> a lit pixel with code of its own, and everything \
 else a peer with its version. <strong>Case</strong> says of which inputs the median and the worst are: rays inside \
 the light’s disc, outside, or any. The worst arithmetic error is the study’s own, where it has judged that code, and a peer’s as the crate \
-<code>tests/peers</code> has found it: \
+<code>tests/peers</code> has found it on the inputs that its note names, without the hard ones: \
 of a direction under the Sun from Earth, of a pixel in the case";
 
 const COLUMNS: [&str; 17] = [
