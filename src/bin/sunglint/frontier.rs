@@ -142,6 +142,17 @@ mod tests {
     }
 
     #[test]
+    fn rivals_beat_whatever_is_dearer_and_more_wrong() {
+        let mut study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        mark(&mut study);
+        let [own, soft, peer] = [&study.rows[0], &study.rivals.directions[0], &study.rivals.directions[1]];
+        assert!(own.frontier && !soft.frontier, "on this machine they have no time");
+        assert_eq!([own, soft, peer].map(|row| row.m0_frontier), [false, true, false]);
+        assert_eq!([own, soft, peer].map(|row| row.m4_frontier), [false, false, true]);
+        assert_eq!(soft.m0_instructions, Some(950));
+    }
+
+    #[test]
     fn the_total_error_has_a_frontier_of_its_own() {
         let mut factored = sample::row("factored", "f32", 1.0, 1e-8);
         factored.total_max = 1e-4;

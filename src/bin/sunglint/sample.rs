@@ -2,7 +2,7 @@
 
 use sunglint::trial::chip::{self, Cost};
 
-use crate::author::OURS;
+use crate::author::{OURS, PIXEL_Q14, SOFT};
 use crate::axis::{Axis, Costs};
 use crate::chip::{ChipRow, Found};
 use crate::result::{KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
@@ -88,8 +88,15 @@ pub fn whole_study(rows: Vec<Row>) -> Study {
             count("disc", "I2F14", "outside", [Some(1000), None, Some(270)]),
             count("pixel karis", "f32", "any", [Some(9000), Some(5000), Some(800)]),
             count("normalize", "f32", "any", [Some(1500), Some(700), Some(40)]),
+            by(SOFT, count("cap", "f32", "outside", [Some(950), Some(250), Some(250)])),
+            by("libm 0.2.16", count("cap", "f32", "outside", [Some(4900), Some(2700), Some(120)])),
+            by(PIXEL_Q14, count("pixel karis", "f32", "outside", [Some(760), Some(380), Some(380)])),
             peer(),
         ],
+        rivals: Rivals {
+            directions: [SOFT, "libm 0.2.16"].map(|by| Row { by, ..row("cap", "f32", f64::NAN, 5e-8) }).into(),
+            pixels: vec![PixelRow { by: PIXEL_Q14, ..pixel("karis", "f32", 3.0, 1e-6) }],
+        },
         ..study(rows)
     }
 }
@@ -172,6 +179,11 @@ pub fn count(function: &'static str, format: &'static str, case: &'static str, m
         },
         found: Some(Found { error: 1e-7, unit: "rad".to_owned(), failure: None, note: String::new() }),
     }
+}
+
+/// The same by somebody else.
+fn by(by: &'static str, row: ChipRow) -> ChipRow {
+    ChipRow { count: chip::Row { by, ..row.count }, ..row }
 }
 
 /// A peer that cannot be counted.

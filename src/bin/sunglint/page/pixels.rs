@@ -4,7 +4,7 @@ use sunglint::trial::chip::WIDTHS;
 
 use super::cells::{self, bits, cell, scientific, sortable, text};
 use super::costs;
-use crate::author::is_ours;
+use crate::author::{self, is_ours};
 use crate::axis::Costs;
 use crate::chart::{self, of_case};
 use crate::error_kind::ErrorKind;
@@ -31,6 +31,8 @@ point.</dd>\
 <dt>exact_rp (<code>PointGgx::exact_rp</code>)</dt><dd>the same with the energy that the shape has for small angles.</dd>\
 <dt>disc_ggx, disc_ggx dir (<code>DiscGgx::new</code>, <code>directional</code>)</dt><dd>GGX averaged over the disc in closed form, the disc in the half vectors taken for a circle \
 or for an ellipse.</dd>\
+<dt>PixelQ14 (<code>raw::PixelQ14</code>)</dt><dd>disc_ggx in I2F14 with code of its own, whose constants hold light, surface and \
+illuminance.</dd>\
 <dt>cone_ggx, cone_ggx shifted (<code>ConeGgx</code>, <code>ShiftedConeGgx</code>)</dt><dd>GGX integrated over the exact cone of half vectors, the rest of the BRDF taken at the disc’s centre, \
 or between that and the point nearest to the mirror ray. The root of a cubic is found by three steps; what they leave, which is \
 below 1e-8 of a pixel, counts as arithmetic error, in f64 too.</dd></dl>";
@@ -106,7 +108,7 @@ pub fn all(study: &Study) -> String {
         let class = if row.failure.is_some() { " class=\"fails\"" } else { "" };
         format!("<tr{}{class}>{}</tr>\n", cells::data(&[("case", &row.case)]), line(row))
     };
-    let lines: String = study.pixels.iter().map(line).collect();
+    let lines: String = study.all_pixels().map(line).collect();
     let choice = cells::select("Light and roughness", "case", &[cases(study), vec![cells::ALL.to_owned()]].concat());
     format!("{}{}", cells::form(&choice), sortable("lit-pixels", &COLUMNS, &lines))
 }
@@ -117,7 +119,7 @@ fn line(row: &PixelRow) -> String {
     [
         text(&row.case),
         text(&row.method),
-        text(&row.format),
+        text(&author::said(&row.format, row.by)),
         cell(row.cost, &number::cost(row.cost)),
         cell(row.cost_low, &quartiles),
         scientific(row.total_rms),
