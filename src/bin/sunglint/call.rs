@@ -1,6 +1,5 @@
 //! What is called: a function in a number format, by whatever row of the study it is measured.
 
-use crate::author::OURS;
 use crate::chip::PIXEL;
 use crate::result::{KernelRow, PixelRow, Row};
 
@@ -35,7 +34,7 @@ impl PixelRow {
 impl KernelRow {
     /// What is called, and its time.
     pub fn call(&self) -> Call {
-        called([&self.kernel, &self.format], OURS, [self.cost, self.cost_low, self.cost_high])
+        called([&self.kernel, &self.format], self.by, [self.cost, self.cost_low, self.cost_high])
     }
 }
 

@@ -139,7 +139,7 @@ fn found(study: &Study, count: &chip::Row) -> Option<Found> {
         return row.map(|row| own(row.error_max, "relative", &row.failure));
     }
     let direction = study.all_directions().find(|row| row.light == SUN && same(&row.method, &row.format, row.by));
-    let kernel = || study.kernels.iter().find(|row| same(&row.kernel, &row.format, OURS));
+    let kernel = || study.all_kernels().find(|row| same(&row.kernel, &row.format, row.by));
     direction
         .map(|row| own(row.error_max, "rad", &row.failure))
         .or_else(|| kernel().map(|row| own(row.error_max, &row.unit, &None)))

@@ -16,7 +16,7 @@ pub fn light_names() -> Vec<&'static str> {
 /// Measures what `options` asks for.
 pub fn run(options: &Options, progress: &ProgressBar) -> Study {
     let steps = [directions::steps(options), quantities::COUNT, pixels::steps(options), kernels::steps(options)];
-    let rivals = rivals::steps(options) + pixel_q14::steps(options);
+    let rivals = rivals::steps(options) + pixel_q14::steps(options) + rivals::kernels::STEPS;
     progress.set_length((steps.into_iter().sum::<usize>() + lobes::steps(options) + rivals) as u64);
     let mut study = Study {
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -34,6 +34,7 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
     study.rivals = Rivals {
         directions: rivals::directions(&study.rows, options, progress),
         pixels: pixel_q14::errors(&study.pixels, options, progress),
+        kernels: rivals::kernels::errors(&study.kernels, options, progress),
     };
     directions::add_costs(&mut study.rows, options, progress);
     pixels::add_costs(&mut study.pixels, options, progress);

@@ -1,6 +1,8 @@
 //! Code beside that which a format always runs: instructions of it have been counted, so that it stands in charts of
 //! microcontrollers.
 
+pub mod kernels;
+
 use indicatif::ProgressBar;
 use serde::Serialize;
 use sunglint::raw::SphereQ30;
@@ -11,7 +13,7 @@ use sunglint::{DistantSphere, Real, soft};
 use crate::author::{FORMULA, SOFT};
 use crate::directions;
 use crate::options::Options;
-use crate::result::{PixelRow, Row, Study};
+use crate::result::{KernelRow, PixelRow, Row, Study};
 use crate::workers;
 
 /// The light under which the peers were measured.
@@ -27,6 +29,8 @@ pub struct Rivals {
     pub directions: Vec<Row>,
     /// One row per case and code.
     pub pixels: Vec<PixelRow>,
+    /// One row per building block, format and code. They have no time.
+    pub kernels: Vec<KernelRow>,
 }
 
 impl Study {
@@ -43,6 +47,11 @@ impl Study {
     /// All lit pixels, the rivals last.
     pub fn all_pixels(&self) -> impl Iterator<Item = &PixelRow> {
         self.pixels.iter().chain(&self.rivals.pixels)
+    }
+
+    /// All building blocks, the rivals last.
+    pub fn all_kernels(&self) -> impl Iterator<Item = &KernelRow> {
+        self.kernels.iter().chain(&self.rivals.kernels)
     }
 }
 

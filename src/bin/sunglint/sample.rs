@@ -95,6 +95,7 @@ pub fn whole_study(rows: Vec<Row>) -> Study {
         ],
         rivals: Rivals {
             directions: [SOFT, "libm 0.2.16"].map(|by| Row { by, ..row("cap", "f32", f64::NAN, 5e-8) }).into(),
+            kernels: vec![KernelRow { by: SOFT, cost: f64::NAN, error_max: 4e-8, ..kernel("f32", 1.0) }],
             pixels: vec![PixelRow { by: PIXEL_Q14, ..pixel("karis", "f32", 3.0, 1e-6) }],
         },
         ..study(rows)
@@ -154,6 +155,7 @@ pub fn kernel(format: &str, error: f64) -> KernelRow {
         kernel: "normalize".to_owned(),
         unit: "rad".to_owned(),
         format: format.to_owned(),
+        by: OURS,
         cost: 0.4,
         cost_low: 0.39,
         cost_high: 0.41,

@@ -2,6 +2,7 @@
 
 use super::cells::{self, cell, count, scientific, sortable, text};
 use super::costs;
+use crate::author::{is_ours, is_peer};
 use crate::axis::Costs;
 use crate::chart;
 use crate::kernel::Kernel;
@@ -37,14 +38,14 @@ pub fn all(study: &Study) -> String {
     let choice = cells::radio("Error", "mean", &Mean::ALL.map(Mean::name)) + &costs::choice(&offered);
     let choice = cells::form(&choice);
     let names = in_order(rows.iter().map(|row| &row.group));
-    let groups: String = names.iter().map(|name| group(rows, name, &key, &offered)).collect();
+    let groups: String = names.iter().map(|name| group(study, name, &key, &offered)).collect();
     let lines: String = rows.iter().map(line).collect();
     format!("{INTRODUCTION}\n{choice}{groups}<h3>All measurements</h3>\n{}", sortable("blocks", &COLUMNS, &lines))
 }
 
 /// The charts of a group, those of one mean and one cost in a figure.
-fn group(rows: &[KernelRow], group: &str, key: &Key, offered: &[Costs]) -> String {
-    let rows: Vec<_> = rows.iter().filter(|row| row.group == group).collect();
+fn group(study: &Study, group: &str, key: &Key, offered: &[Costs]) -> String {
+    let rows: Vec<_> = study.all_kernels().filter(|row| row.group == group).collect();
     let names = in_order(rows.iter().map(|row| &row.kernel));
     let figure = |mean: Mean, costs: Costs| {
         let panels: String = names.iter().map(|name| panel(&rows, name, mean, key, costs)).collect();
@@ -57,7 +58,7 @@ fn group(rows: &[KernelRow], group: &str, key: &Key, offered: &[Costs]) -> Strin
 
 /// What of a group has no count on a core; nothing for times.
 fn caption(rows: &[&KernelRow], costs: Costs) -> String {
-    let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
+    let calls: Vec<_> = rows.iter().filter(|row| is_ours(row.by)).map(|row| row.call()).collect();
     match costs.left_out(&calls) {
         left_out if left_out.is_empty() => left_out,
         left_out => format!(
@@ -70,7 +71,9 @@ fn caption(rows: &[&KernelRow], costs: Costs) -> String {
 
 /// The chart of a function; none where no format has a cost.
 fn panel(rows: &[&KernelRow], name: &str, mean: Mean, key: &Key, costs: Costs) -> String {
-    let rows: Vec<_> = rows.iter().copied().filter(|row| row.kernel == name).collect();
+    // Of peers the worst error alone is known.
+    let known = |row: &&KernelRow| !is_peer(row.by) || mean == Mean::Max;
+    let rows: Vec<_> = rows.iter().copied().filter(|row| row.kernel == name).filter(known).collect();
     if costs.priced(&rows, KernelRow::call).is_empty() {
         return String::new();
     }
