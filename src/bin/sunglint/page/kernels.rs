@@ -14,7 +14,8 @@ use crate::result::{KernelRow, Study};
 
 const INTRODUCTION: &str = "<p>What a lit pixel and its light are made of, each part by itself, at the Sun from Earth: its \
 error against f64 at the inputs as they were rounded into the format, and its cost. What an error is relative to stands under \
-each chart. In f64 the errors are the truth’s own rounding as much. Costs of 1/16 and less count as 1/16: the clock cannot tell them from nothing.</p>\
+each chart. Over instructions there are more marks: <em>soft</em> is f32 computed in integers (<code>sunglint::soft</code>), and \
+grey are peers, whose worst errors are those that the crate <code>tests/peers</code> has found. In f64 the errors are the truth’s own rounding as much. Costs of 1/16 and less count as 1/16: the clock cannot tell them from nothing.</p>\
 <p>Where a format cannot hold a quantity, all formats compute its normalised form. f16 ends at 65 504 and is subnormal below \
 6.1e-5, and in SI units the Sun’s radiance peaks at 2.6e13: so Planck’s law is over its peak, a colour over the brightest of its \
 levels, temperatures are in kilokelvins and wavelengths in micrometres. Of radiance 1 the Sun gives 6.8e-5: so what a plane gets is \
