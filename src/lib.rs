@@ -43,8 +43,9 @@
 //! their own, in integers. Levels saturate.
 //!
 //! All live in one build; a format is a type, and a formula is written once over [`Real`]. [`raw`] takes and gives
-//! bits. The types come from the crates [`fixed`], [`half`] and [`micromath`], which are re-exported. f64 and f32
-//! take their square root from libm, whose version for no_std is software, on chips with a root instruction too.
+//! bits. The types come from the crates [`fixed`], [`half`] and [`micromath`], which are re-exported. f64 takes its square
+//! root from libm, whose version for no_std is software, on chips with a root instruction too; so does f32 but on arm and
+//! riscv32, where a root in integers gives the same bits in a third of the instructions.
 //!
 //! # Overflow
 //!

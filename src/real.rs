@@ -131,14 +131,15 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
     /// `v` at unit length; zero where `v` is zero or not finite.
     fn normalize(v: [Self; 3]) -> [Self; 3];
 
-    /// [`cap`](crate::specular::cap): by its formula, or by code for the format that is faster and within the same budget.
+    /// [`cap`](crate::specular::cap): by its formula, or by code for the format that is faster and within the same
+    /// budget.
     #[inline]
     fn cap(l: [Self; 3], r: [Self; 3], light: &DistantSphere<Self>) -> [Self; 3] {
         nearest(l, r, light)
     }
 
     /// The half vector of `l` and `v` as the normal `n` sees it; see [`Halfway`].
-    fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: Self::Scalar) -> Halfway<Self::Scalar>;
+    fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: Self::Scalar, in_plane: bool) -> Halfway<Self::Scalar>;
 }
 
 /// How far a half vector `h` of `l` and `v` leans from the normal `n`, in units of a highlight's width.
@@ -151,7 +152,8 @@ pub struct Halfway<S> {
     pub v_dot_h_square: S,
     /// `(1 - (n.h)^2) gain^2`, at most [`WIDE_TILT`], in f16 [`MOST_TILT`].
     pub tilt: S,
-    /// The part of that along `l - v`; half of it where `l = v`, when every direction is as good.
+    /// The part of that along `l - v`; half of it where `l = v`, when every direction is as good. Zero where it is not
+    /// asked for, which spares a root and a division.
     pub in_plane: S,
 }
 

@@ -1,8 +1,8 @@
 //! f32 in integers, for chips without an FPU: no float arithmetic, hence no float library, is linked.
 //!
-//! Roots are correctly rounded. Directions become I2F30, go through [`specular`](crate::specular) there, and are
-//! rounded to f32 once, so that the error is that of storing the answer and little more, at a fraction of the cost of float
-//! arithmetic by software. Lights are those of [`raw`](crate::raw).
+//! Roots are correctly rounded. Directions become I2F30, go through [`specular`] there, and are rounded to f32 once, so
+//! that the error is that of storing the answer and little more, at a fraction of the cost of float arithmetic by
+//! software. Lights are those of [`raw`](crate::raw).
 //!
 //! ```
 //! use sunglint::raw::SUN_Q30;
@@ -50,8 +50,8 @@ pub fn root(x: f32) -> f32 {
 /// out, also where the answer is `r` itself.
 ///
 /// Error, as that of [`cap`](specular::cap), in radians: `5.4e-8 + 1.15e-9 x / gap` for `x` up to 0.05, 1.1e-7 in place
-/// of 5.4e-8 up to 1, `gap` being the angle between `r` and `-l`, beside which the side of the rim hangs on the rounding
-/// to Q30; 4.8e-8 of it is what storing the answer in f32 may cost (`tests/soft.rs`).
+/// of 5.4e-8 up to 1, `gap` being the angle between `r` and `-l`, beside which the side of the rim hangs on the
+/// rounding to Q30; 4.8e-8 of it is what storing the answer in f32 may cost (`tests/soft.rs`).
 pub fn cap(l: [f32; 3], r: [f32; 3], light: &SphereQ30) -> [f32; 3] {
     let Some(from) = lanes(l) else { return [0.0; 3] };
     let Some(to) = lanes(r) else { return l };

@@ -296,10 +296,10 @@ fn each_channel_is_its_own() {
     let coloured = Surface::of(&Material::new(colours.0, 0.1, colours.1).unwrap());
     let (n, v, l) = ([0, 0, 16384], [-9000, 0, 13691], [9830, 0, 13107]);
     let together = PixelQ14::new(l, &SUN_Q14, &coloured, colours.2).unwrap().shade(n, v);
-    for channel in 0..3 {
+    for (channel, expected) in together.into_iter().enumerate() {
         let grey = Surface::of(&Material::new([colours.0[channel]; 3], 0.1, [colours.1[channel]; 3]).unwrap());
         let alone = PixelQ14::new(l, &SUN_Q14, &grey, [colours.2[channel]; 3]).unwrap().shade(n, v);
-        assert_eq!(alone, [together[channel]; 3]);
+        assert_eq!(alone, [expected; 3]);
     }
 }
 

@@ -35,8 +35,8 @@ impl Errors {
     }
 }
 
-/// Errors of `cap` by integers, less what rounding the lanes to Q30 does beside `-l`, where the rim's side hangs on them;
-/// and away from there those by integers, by floats, and of storing the exact answer in f32.
+/// Errors of `cap` by integers, less what rounding the lanes to Q30 does beside `-l`, where the rim's side hangs on
+/// them; and away from there those by integers, by floats, and of storing the exact answer in f32.
 fn errors_of_cap(light: &DistantLight, seed: u64) -> [Errors; 4] {
     let (sphere, floats) = (SphereQ30::of(light), DistantSphere::<f32>::of(light));
     let theta = light.angular_radius();

@@ -255,7 +255,7 @@ impl<T: Real> ConeGgx<T> {
     /// `n_dot_l` and `n_dot_v` are those of the directions.
     #[inline]
     fn shape(&self, [n, v, l]: [[T; 3]; 3], n_dot_l: T::Scalar, n_dot_v: T::Scalar) -> Shape<T::Scalar> {
-        let halfway = T::halfway(n, l, v, self.lobe.width.inverse);
+        let halfway = T::halfway(n, l, v, self.lobe.width.inverse, true);
         let cosine_square = upright(n_dot_l, n_dot_v, halfway.v_dot_h_square);
         let value = Cone::of(&self.lobe, &halfway, cosine_square).shape();
         Shape { value, cosine_square, v_dot_h_square: halfway.v_dot_h_square }

@@ -127,7 +127,7 @@ impl<T: Real> Highlight<T> for DiscGgx<T> {
         if !positive(visibility) {
             return Gloss::DARK;
         }
-        let halfway = T::halfway(n, l, v, self.width.inverse);
+        let halfway = T::halfway(n, l, v, self.width.inverse, self.directional);
         let v_dot_h = halfway.v_dot_h_square.root();
         let shape = self.shape(&halfway, v_dot_h, upright(n_dot_l, n_dot_v, halfway.v_dot_h_square));
         // The mean over the disc is per solid angle, illuminance per projected one: pi x^2 = 2 pi w (1 - w/2).

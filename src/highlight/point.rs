@@ -84,7 +84,7 @@ impl<T: Real> Highlight<T> for PointGgx<T> {
         if !positive(visibility) {
             return Gloss::DARK;
         }
-        let halfway = T::halfway(n, point, v, self.inverse_alpha);
+        let halfway = T::halfway(n, point, v, self.inverse_alpha, false);
         let shape = if self.alpha > T::Scalar::ZERO {
             let rest = upright(n_dot_l, n_dot_v, halfway.v_dot_h_square) + halfway.tilt;
             self.gain / rest / rest

@@ -99,10 +99,9 @@ fn normalize<const F: u32>(v: Lanes) -> Lanes {
 
 /// Squared sine and cosines of the half vector from integers alone: cross and dot products are exact.
 #[inline]
-fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled) -> Halfway<Scaled> {
+fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled, in_plane: bool) -> Halfway<Scaled> {
     let (exponent, twice) = const { (-(F as i32), -2 * F as i32) };
     let sum = zip(l, v, |l, v| i64::from(l) + i64::from(v));
-    let lacking = zip(l, v, |l, v| i64::from(l) - i64::from(v));
     let square = sum_of_squares(each(sum, |lane| Scaled::from_bits(lane, exponent)));
     let quarter = Scaled::from_bits(1, -2);
     let v_dot_h_square = square * quarter;
@@ -115,6 +114,10 @@ fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled) -> Halfway<
     // Products of 32 bits, a machine's own, are fewer than those with a sum, which may have 33.
     let turned = zip(cross(n, l), cross(n, v), i64::wrapping_add);
     let tilt = at_most(sum_of_squares(each(turned, scaled)) / square * gain_square, limit);
+    if !in_plane {
+        return Halfway { v_dot_h_square, tilt, in_plane: Scaled::ZERO };
+    }
+    let lacking = zip(l, v, |l, v| i64::from(l) - i64::from(v));
     let across = sum_of_squares(each(lacking, |lane| Scaled::from_bits(lane, exponent)));
     let in_plane = if across > Scaled::ZERO {
         let along = scaled(dot(n, l).wrapping_sub(dot(n, v)));
@@ -294,8 +297,9 @@ macro_rules! fixed_point {
             }
 
             #[inline]
-            fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: Scaled) -> Halfway<Scaled> {
-                halfway::<$fraction>(each(n, Lane::bits), each(l, Lane::bits), each(v, Lane::bits), gain)
+            fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: Scaled, in_plane: bool) -> Halfway<Scaled> {
+                let [n, l, v] = [each(n, Lane::bits), each(l, Lane::bits), each(v, Lane::bits)];
+                halfway::<$fraction>(n, l, v, gain, in_plane)
             }
         }
 

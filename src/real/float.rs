@@ -346,7 +346,7 @@ impl<T: Float> Real for T {
     }
 
     #[inline]
-    fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: T) -> Halfway<T> {
+    fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: T, in_plane: bool) -> Halfway<T> {
         let (zero, half) = (T::WIDE_ZERO, T::constant(HALF));
         let sum = zip(l, v, |l, v| (l + v) * half);
         let v_dot_h_square = Self::dot(sum, sum);
@@ -356,6 +356,9 @@ impl<T: Float> Real for T {
         let radial = Self::dot(apart, h);
         let lean = each(zip(apart, h, |apart, h| apart - radial * h), |lane| lane * gain);
         let tilt = at_most(Self::dot(lean, lean), most_tilt());
+        if !in_plane {
+            return Halfway { v_dot_h_square, tilt, in_plane: zero };
+        }
         let across = Self::normalize(zip(l, v, Self::sub));
         let along = Self::dot(lean, across);
         let in_plane = if Self::dot(across, across) > zero { at_most(along * along, tilt) } else { tilt * half };

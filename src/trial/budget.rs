@@ -102,8 +102,8 @@ pub fn cap_beyond_the_rim(format: Format) -> f64 {
     if format == Format::F16 { 2.3e-2 } else { 0.0 }
 }
 
-/// `soft::cap` under each of [`BUDGETED`](super::lights::BUDGETED), beside what rounding to Q30 does next to `-l`. Under
-/// wide discs what `l` lacks of unit length counts (`tests/soft.rs`).
+/// `soft::cap` under each of [`BUDGETED`](super::lights::BUDGETED), beside what rounding to Q30 does next to `-l`.
+/// Under wide discs what `l` lacks of unit length counts (`tests/soft.rs`).
 pub const SOFT_CAP: [f64; 6] = [5.1e-8, 5.3e-8, 5.4e-8, 6.5e-8, 1.1e-7, 1.1e-7];
 
 /// The direction of `soft::normalize`, in radians (`tests/soft.rs`).

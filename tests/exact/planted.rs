@@ -129,8 +129,8 @@ impl<T: Real, const STEPS: u8, const SUMS: bool> Real for Off<T, STEPS, SUMS> {
         off(T::normalize(bare(v)))
     }
 
-    fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: T::Scalar) -> Halfway<T::Scalar> {
-        T::halfway(bare(n), bare(l), bare(v), gain)
+    fn halfway(n: [Self; 3], l: [Self; 3], v: [Self; 3], gain: T::Scalar, in_plane: bool) -> Halfway<T::Scalar> {
+        T::halfway(bare(n), bare(l), bare(v), gain, in_plane)
     }
 }
 

@@ -8,8 +8,8 @@ const CELLS: usize = 128;
 /// Cells of an octave of roots.
 const OCTAVE: usize = 32;
 
-/// `sqrt(y)` for `y` from 1/2 to 1, then from 1/4 to 1/2: Q17 at a cell's start, and in the lowest 15 bits the rise over
-/// the cell in the same unit.
+/// `sqrt(y)` for `y` from 1/2 to 1, then from 1/4 to 1/2: Q17 at a cell's start, and in the lowest 15 bits the rise
+/// over the cell in the same unit.
 static ROOTS: [u32; 2 * OCTAVE] = roots();
 
 /// `1 / y` less 1 in Q16, from `y = 1/2` on in steps of 1/256.

@@ -31,10 +31,11 @@ fn of_any_length(v: Lanes) -> Lanes {
 
 /// [`cap`](crate::specular::cap).
 ///
-/// With `d` the difference of the two directions where they are within a right angle, else their sum, and `c = d.l`, the
-/// tangent's square is `|d|^2 - c^2`, in which nothing cancels. Then `k = x / |s|` and the answer is a sum of two
+/// With `d` the difference of the two directions where they are within a right angle, else their sum, and `c = d.l`,
+/// the tangent's square is `|d|^2 - c^2`, in which nothing cancels. Then `k = x / |s|` and the answer is a sum of two
 /// vectors, `(1 - w - k cos) l + k r`, `cos` being `1 - c` or `c - 1`. What has no place in these words is left to the
-/// formula: discs smaller than 8.7e-5 or larger than 0.69, and directions that are nearer to `-l` than the rim is to `l`.
+/// formula: discs smaller than 8.7e-5 or larger than 0.69, and directions that are nearer to `-l` than the rim is to
+/// `l`.
 #[inline]
 pub(super) fn cap(l: [I2F30; 3], r: [I2F30; 3], light: &DistantSphere<I2F30>) -> [I2F30; 3] {
     let (centre, mirror) = (each(l, I2F30::to_bits), each(r, I2F30::to_bits));
@@ -73,7 +74,8 @@ fn nearest_of_most(l: Lanes, r: Lanes, light: &DistantSphere<I2F30>) -> Option<L
     }
 }
 
-/// Twice in the code, `TOWARD` the light and away from it, since the signs of words that may be either cost a third more.
+/// Twice in the code, `TOWARD` the light and away from it, since the signs of words that may be either cost a third
+/// more.
 #[inline(always)]
 fn rim<const TOWARD: bool>(
     l: Lanes,
@@ -114,8 +116,8 @@ fn sum_of_products(a: i32, x: i32, b: i32, y: i32) -> i32 {
     ((high << 1) as i32).wrapping_add((low >> 31) as i32)
 }
 
-/// `1 / sqrt(square)` as a Q31 mantissa in [1, 2) and the half exponent `h` from 1 to 15: `mantissa 2^(h - 63)` in units
-/// of lanes; none where `square` is below `2^32`, or `2^62` and above.
+/// `1 / sqrt(square)` as a Q31 mantissa in [1, 2) and the half exponent `h` from 1 to 15: `mantissa 2^(h - 63)` in
+/// units of lanes; none where `square` is below `2^32`, or `2^62` and above.
 #[inline(always)]
 fn unit(square: u64) -> Option<(u32, u32)> {
     let [high, low] = words(square);

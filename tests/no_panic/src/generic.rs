@@ -58,7 +58,7 @@ fn real<T: Real>() {
     keep((<T as Real>::diff(wide::<T>(), a, wide::<T>(), b), <T as Real>::magnify(a), <T as Real>::normalize(a)));
     keep(<T as Real>::within(wide::<T>(), black_box(0), wide::<T>()));
     keep(<T as Real>::rim(a, wide::<T>(), b, wide::<T>(), wide::<T>()));
-    keep(<T as Real>::halfway(a, b, vector(), number()));
+    keep(<T as Real>::halfway(a, b, vector(), number(), black_box(true)));
 }
 
 fn scalar<S: Scalar>() {

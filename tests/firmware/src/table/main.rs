@@ -1,5 +1,5 @@
-//! `table <folder of fresh counts and linked functions> <committed table>`: puts what has been counted and linked on all
-//! cores together and compares it with the committed table; with `SUNGLINT_RECORD=1` it writes that instead.
+//! `table <folder of fresh counts and linked functions> <committed table>`: puts what has been counted and linked on
+//! all cores together and compares it with the committed table; with `SUNGLINT_RECORD=1` it writes that instead.
 
 mod elf;
 mod line;
@@ -18,6 +18,9 @@ const HEADER: &str = "function,format,by,case,inputs,\
     m3_median,m3_worst,m3_stack,m3_text,m3_rodata,\
     m4_median,m4_worst,m4_stack,m4_text,m4_rodata,note";
 
+/// What the smallest image may take.
+const FLASH: u32 = 1024;
+
 fn main() -> ExitCode {
     let [fresh, committed] = [1, 2].map(|index| PathBuf::from(std::env::args().nth(index).expect("two paths")));
     let lines = measured(&fresh);
@@ -25,6 +28,10 @@ fn main() -> ExitCode {
     for target in TARGETS {
         let [text, rodata] = elf::bytes(&fresh.join(target).join("flash.elf"));
         println!("{target}: cap_q14 and normalize_q14 together {text} + {rodata} bytes");
+        if text + rodata >= FLASH {
+            eprintln!("which has to be below {FLASH}");
+            return ExitCode::FAILURE;
+        }
     }
     if std::env::var("SUNGLINT_RECORD").is_ok_and(|value| value == "1") {
         let text: Vec<_> = lines.iter().map(|line| format!("{line}\n")).collect();
