@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use sunglint::trial::chip::{self, Core, Cost, peers};
 use sunglint::trial::lights;
 
-use crate::author::{OURS, is_peer};
+use crate::author::is_peer;
 use crate::axis::Price;
 use crate::call::Call;
 use crate::key::in_order;
@@ -182,7 +182,7 @@ pub fn names(rows: &[ChipRow], part: impl Fn(&chip::Row) -> &'static str) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::author::{FORMULA, SOFT};
+    use crate::author::{FORMULA, OURS, SOFT};
     use crate::sample;
 
     #[test]
