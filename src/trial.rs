@@ -30,7 +30,7 @@ pub mod worst;
 pub use draw::Draw;
 pub use format::{Format, Visitor};
 pub use found::Found;
-pub use judge::{Judgement, Worst, judge};
+pub use judge::{Judgement, Worst, judge, judge_code};
 pub use lights::Light;
 pub use method::{Constants, Method};
 pub use shading::{Make, Shading, ShadingVisitor};

@@ -3,6 +3,7 @@
 
 use std::collections::HashSet;
 
+use sunglint::trial::chip::peers::{self, Peer};
 use sunglint::trial::chip::{Case, Core, Cost, INPUTS, Pixel, RUSTC, Row, TABLE, numbers, pairs, pixels, rows};
 use sunglint::trial::{Constants, Format, Method, Shading, Visitor};
 use sunglint::{Real, SUN, cap, reflect};
@@ -90,6 +91,23 @@ fn nothing_of_this_crate_is_missing() {
     }
     for format in ["I2F14", "I2F30"] {
         assert!(Case::ALL.iter().all(|case| row("cap", format, "formula", case.name()).is_some()), "{format}");
+    }
+}
+
+#[test]
+fn peers_are_judged_and_counted() {
+    assert_eq!(peers::rows().count(), peers::TABLE.lines().count() - 1);
+    assert!(peers::TABLE.lines().all(|line| line.split(',').count() == 7));
+    for Peer { function, format, by, error, unit, how, .. } in peers::rows() {
+        let name = format!("{function} {format} {by}");
+        assert!(error > 0.0 && error.is_finite() && ["rad", "ULP", "absolute"].contains(&unit), "{name}");
+        assert!(!how.is_empty(), "{name}");
+        assert!(rows().any(|row| (row.function, row.format, row.by) == (function, format, by)), "{name}");
+    }
+    // Names of peers end in versions.
+    for row in rows().filter(|row| row.by.contains('.')) {
+        let judged = |peer: Peer| (peer.function, peer.format, peer.by) == (row.function, row.format, row.by);
+        assert!(peers::rows().any(judged), "{} {} {}", row.function, row.format, row.by);
     }
 }
 

@@ -1,6 +1,7 @@
 //! What calls cost on microcontrollers: instructions, stack and bytes, as `tests/firmware/run` has counted them.
 
 mod inputs;
+pub mod peers;
 
 pub use inputs::{Case, INPUTS, Pixel, WIDTHS, numbers, pairs, pixels};
 

@@ -106,10 +106,20 @@ fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
 /// Relative arithmetic error of whole pixels: computed against the exact value of the method's formula at the rounded
 /// inputs.
 pub fn arithmetic<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item = Pixel>) -> Found<9> {
+    arithmetic_of_code::<T>(shading, case, pixels, |[n, v, l]| shading.visit(Whole { case, n, v, l }))
+}
+
+/// The same of `code`, which makes a level of normal, viewer and light in its own way.
+pub fn arithmetic_of_code<T: Real>(
+    shading: Shading,
+    case: &Case,
+    pixels: impl Iterator<Item = Pixel>,
+    code: impl Fn([[T; 3]; 3]) -> f64,
+) -> Found<9> {
     let mut found = Found::new();
     for pixel in pixels {
-        let ([n, v, l], exact) = rounded::<T>(&pixel);
-        let value = shading.visit(Whole { case, n, v, l });
+        let (lanes, exact) = rounded::<T>(&pixel);
+        let value = code(lanes);
         let truth = truth::<T>(shading, case, &exact);
         found.add((value / truth - 1.0).abs(), inputs(&exact));
     }

@@ -61,6 +61,17 @@ pub fn judge<T: Real>(
     epsilon: f64,
 ) -> Judgement<T> {
     let constants = Constants::<T>::of(light);
+    judge_code(method, |l, r| method.direction(l, r, &constants), light, pairs, epsilon)
+}
+
+/// The same of `code`, which computes what `method` does in its own way.
+pub fn judge_code<T: Real>(
+    method: Method,
+    code: impl Fn([T; 3], [T; 3]) -> [T; 3],
+    light: &DistantLight,
+    pairs: impl Iterator<Item = Pair>,
+    epsilon: f64,
+) -> Judgement<T> {
     let zero = [T::ZERO; 3];
     let mut sum = Judgement {
         samples: 0,
@@ -84,7 +95,7 @@ pub fn judge<T: Real>(
             sum.input_max = sum.input_max.max(error);
             sum.input_mean_square += error * error;
         }
-        let answer = method.direction(l, r, &constants).map(T::to_f64);
+        let answer = code(l, r).map(T::to_f64);
         if method.is_defined(l.map(T::to_f64), r.map(T::to_f64), light, epsilon) {
             add(&mut sum, method, light, Worst { error: 0.0, l, r }, answer);
         } else {

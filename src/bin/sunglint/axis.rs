@@ -2,6 +2,7 @@
 
 use sunglint::trial::chip::Core;
 
+use crate::author::is_ours;
 use crate::call::Call;
 use crate::chip::{self, ChipRow};
 use crate::number;
@@ -52,11 +53,14 @@ impl Axis {
         }
     }
 
-    /// What `call` costs by this; nothing where nobody has counted.
+    /// What `call` costs by this; nothing where nobody has counted, or measured the time.
     pub fn price(self, chip: &[ChipRow], call: &Call) -> Option<Price> {
         match self {
-            Self::Host => Some(Price { cost: call.host[0], said: format!("cost {}", number::quartiles(call.host)) }),
-            Self::Chip(core) => chip::price(chip, core, &call.function, &call.format),
+            Self::Host => {
+                let price = || Price { cost: call.host[0], said: format!("cost {}", number::quartiles(call.host)) };
+                (is_ours(call.by) || call.host[0].is_finite()).then(price)
+            }
+            Self::Chip(core) => chip::price(chip, core, call),
         }
     }
 }
@@ -110,10 +114,11 @@ impl<'a> Costs<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::author::OURS;
     use crate::sample;
 
     fn call(function: &str, format: &str) -> Call {
-        Call { function: function.to_owned(), format: format.to_owned(), host: [0.5, 0.4, 0.6] }
+        Call { function: function.to_owned(), format: format.to_owned(), by: OURS, host: [0.5, 0.4, 0.6] }
     }
 
     #[test]

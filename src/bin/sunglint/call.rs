@@ -10,6 +10,8 @@ pub struct Call {
     pub function: String,
     /// Name of the number format.
     pub format: String,
+    /// Whose code it is.
+    pub by: &'static str,
     /// Median and quartiles of its time.
     pub host: [f64; 3],
 }
@@ -17,7 +19,7 @@ pub struct Call {
 impl Row {
     /// What is called, and its time.
     pub fn call(&self) -> Call {
-        called(&self.method, &self.format, [self.cost, self.cost_low, self.cost_high])
+        called([&self.method, &self.format], self.by, [self.cost, self.cost_low, self.cost_high])
     }
 }
 
@@ -25,17 +27,17 @@ impl PixelRow {
     /// What is called, and its time.
     pub fn call(&self) -> Call {
         let host = [self.cost, self.cost_low, self.cost_high];
-        called(&format!("{PIXEL}{}", self.method), &self.format, host)
+        called([&format!("{PIXEL}{}", self.method), &self.format], self.by, host)
     }
 }
 
 impl KernelRow {
     /// What is called, and its time.
     pub fn call(&self) -> Call {
-        called(&self.kernel, &self.format, [self.cost, self.cost_low, self.cost_high])
+        called([&self.kernel, &self.format], self.by, [self.cost, self.cost_low, self.cost_high])
     }
 }
 
-fn called(function: &str, format: &str, host: [f64; 3]) -> Call {
-    Call { function: function.to_owned(), format: format.to_owned(), host }
+fn called([function, format]: [&str; 2], by: &'static str, host: [f64; 3]) -> Call {
+    Call { function: function.to_owned(), format: format.to_owned(), by, host }
 }

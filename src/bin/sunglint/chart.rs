@@ -9,7 +9,7 @@ use crate::direction_panel;
 use crate::error_kind::ErrorKind;
 use crate::field::Field;
 use crate::key::Key;
-use crate::panel::{self, INK, LINE, LINE_DASHES, STEP};
+use crate::panel::{self, INK, LINE, LINE_DASHES, PEER, STEP};
 use crate::pixel_error::PixelError;
 use crate::pixel_panel;
 use crate::result::{PixelRow, Row, Study};
@@ -25,7 +25,7 @@ pub const ALONE: (f64, f64) = (900.0, 620.0);
 pub fn both_errors(study: &Study) -> String {
     let key = direction_key(study);
     let Some(first) = study.rows.first() else { return nothing() };
-    let rows = under_light(&study.rows, &first.light);
+    let rows = under_light(study.all_directions(), &first.light);
     let [left, right] = ErrorKind::ALL.map(|kind| direction_panel::field(&rows, kind, on_host(study)));
     let name = direction_title(&first.light, Axis::Host);
     let layouts = [panel::layout(&left, PANEL), with_legend(panel::layout(&right, BESIDE_LEGEND), &right, &key)];
@@ -47,7 +47,7 @@ pub fn both_errors(study: &Study) -> String {
 pub fn first_pixels(study: &Study) -> String {
     let Some(first) = study.pixels.first() else { return nothing() };
     let error = PixelError::default();
-    let mut field = pixel_panel::field(&of_case(&study.pixels, &first.case), error, on_host(study));
+    let mut field = pixel_panel::field(&of_case(study.all_pixels(), &first.case), error, on_host(study));
     field.title = format!("{}: {}", first.case, field.title);
     one_panel(&field, &pixel_key(study), &pixel_title(&first.case, error, Axis::Host))
 }
@@ -81,13 +81,13 @@ fn scene(field: &Field, key: &Key, layout: Layout) -> Scene {
 }
 
 /// The rows of one light.
-pub fn under_light<'a>(rows: &'a [Row], light: &str) -> Vec<&'a Row> {
-    rows.iter().filter(|row| row.light == light).collect()
+pub fn under_light<'a>(rows: impl IntoIterator<Item = &'a Row>, light: &str) -> Vec<&'a Row> {
+    rows.into_iter().filter(|row| row.light == light).collect()
 }
 
 /// The rows of one case.
-pub fn of_case<'a>(rows: &'a [PixelRow], case: &str) -> Vec<&'a PixelRow> {
-    rows.iter().filter(|row| row.case == case).collect()
+pub fn of_case<'a>(rows: impl IntoIterator<Item = &'a PixelRow>, case: &str) -> Vec<&'a PixelRow> {
+    rows.into_iter().filter(|row| row.case == case).collect()
 }
 
 /// Shapes and colours of the directions.
@@ -132,6 +132,9 @@ pub fn legend(field: &Field, key: &Key) -> [(&'static str, Vec<LegendEntry>); 3]
         entry("frontier", STEP, LegendShape::Line),
         entry("hollow: fails", INK, LegendShape::Marker(MarkerShape::Cross)),
     ];
+    if field.points.iter().any(|point| point.peer) {
+        rest.push(entry("grey: a peer", PEER, LegendShape::Marker(MarkerShape::Hexagon)));
+    }
     if !field.lines.is_empty() {
         let name = if field.per_cent.is_some() { "100 % of radius" } else { "model error" };
         let line = entry(name, LINE, LegendShape::Line);

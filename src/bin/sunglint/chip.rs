@@ -2,19 +2,15 @@
 
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
-use sunglint::trial::chip::{self, Core, Cost};
+use sunglint::trial::chip::{self, Core, Cost, peers};
 use sunglint::trial::lights;
 
+use crate::author::is_peer;
 use crate::axis::Price;
+use crate::call::Call;
 use crate::key::in_order;
 use crate::number;
 use crate::result::{Row, Study};
-
-/// Whose counts the errors of the study belong to.
-pub const OURS: &str = "sunglint";
-
-/// Whose counts are of the generic code of a format that has code of its own.
-const FORMULA: &str = "formula";
 
 /// The case whose errors stand beside counts of pixels: under the Sun, the sharpest of a roughness as counted.
 pub const PIXEL_CASE: &str = "Sun, alpha 0.0625";
@@ -30,11 +26,11 @@ const SUN: &str = lights::STUDY[0].name;
 pub struct ChipRow {
     /// The counts.
     pub count: chip::Row,
-    /// What the study found of the same function in the same format; of others' functions it finds nothing.
+    /// What is known of the same code, by the study or of a peer.
     pub found: Option<Found>,
 }
 
-/// An error of the study.
+/// An error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// Worst arithmetic error.
@@ -43,6 +39,8 @@ pub struct Found {
     pub unit: String,
     /// How it fails, if it does.
     pub failure: Option<String>,
+    /// What else there is to say of it.
+    pub note: String,
 }
 
 /// Names of a core's columns: as those of the table that it comes from.
@@ -71,20 +69,20 @@ impl Serialize for ChipRow {
                 line.serialize_field(name, &figures.map(|figures| figures[place]))?;
             }
         }
-        line.serialize_field("note", count.note)?;
+        line.serialize_field("note", &self.notes())?;
         line.end()
     }
 }
 
 impl ChipRow {
-    /// Whether it is this crate's own, in the way that it is always called.
-    pub fn is_ours(&self) -> bool {
-        self.count.by == OURS
-    }
-
     /// Whether it is somebody else's.
     pub fn is_peers(&self) -> bool {
-        !self.count.by.starts_with(OURS) && self.count.by != FORMULA
+        is_peer(self.count.by)
+    }
+
+    /// What there is to say of the counts and of the error.
+    pub fn notes(&self) -> String {
+        joined([self.count.note, self.found.as_ref().map_or("", |found| &found.note)])
     }
 
     /// Why it is worth nothing, or nothing if it works.
@@ -117,7 +115,7 @@ impl Row {
 
 /// All counts, each with what `study` has found of it.
 pub fn rows(study: &Study) -> Vec<ChipRow> {
-    let row = |count: chip::Row| ChipRow { found: (count.by == OURS).then(|| found(study, &count)).flatten(), count };
+    let row = |count: chip::Row| ChipRow { found: found(study, &count), count };
     chip::rows().map(row).collect()
 }
 
@@ -127,23 +125,34 @@ fn found(study: &Study, count: &chip::Row) -> Option<Found> {
         error,
         unit: unit.to_owned(),
         failure: failure.clone(),
+        note: String::new(),
     };
+    let same =
+        |function: &str, format: &str, by: &str| [function, format, by] == [count.function, count.format, count.by];
+    if is_peer(count.by) {
+        let peer = peers::rows().find(|peer| same(peer.function, peer.format, peer.by))?;
+        return Some(Found { note: joined([peer.how, peer.note]), ..own(peer.error, peer.unit, &None) });
+    }
     if let Some(method) = count.function.strip_prefix(PIXEL) {
-        let mut rows = study.pixels.iter().filter(|row| row.case == PIXEL_CASE);
-        let row = rows.find(|row| row.method == method && row.format == count.format);
+        let mut rows = study.all_pixels().filter(|row| row.case == PIXEL_CASE);
+        let row = rows.find(|row| row.method == method && row.format == count.format && row.by == count.by);
         return row.map(|row| own(row.error_max, "relative", &row.failure));
     }
-    let direction =
-        study.rows.iter().find(|row| row.light == SUN && row.method == count.function && row.format == count.format);
-    let kernel = || study.kernels.iter().find(|row| row.kernel == count.function && row.format == count.format);
+    let direction = study.all_directions().find(|row| row.light == SUN && same(&row.method, &row.format, row.by));
+    let kernel = || study.all_kernels().find(|row| same(&row.kernel, &row.format, row.by));
     direction
         .map(|row| own(row.error_max, "rad", &row.failure))
         .or_else(|| kernel().map(|row| own(row.error_max, &row.unit, &None)))
 }
 
-/// What `function` costs on `core`: the median outside the disc, or of all inputs where these make no difference.
-pub fn price(rows: &[ChipRow], core: Core, function: &str, format: &str) -> Option<Price> {
-    let medians = ["outside", "any", "inside"].map(|case| Some((case, median(rows, core, [function, format, case])?)));
+/// Those of `notes` that say something.
+fn joined(notes: [&str; 2]) -> String {
+    notes.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join("; ")
+}
+
+/// What `call` costs on `core`: the median outside the disc, or of all inputs where these make no difference.
+pub fn price(rows: &[ChipRow], core: Core, call: &Call) -> Option<Price> {
+    let medians = ["outside", "any", "inside"].map(|case| Some((case, median(rows, core, call, case)?)));
     let [outside, any, inside] = medians;
     let (case, cost) = outside.or(any)?;
     let said = |(case, cost): (&str, u32)| match case {
@@ -154,10 +163,12 @@ pub fn price(rows: &[ChipRow], core: Core, function: &str, format: &str) -> Opti
     Some(Price { cost: cost.into(), said: format!("instructions on {}: {}", core.name(), all.join(", ")) })
 }
 
-/// The median of one case, of this crate's own.
-fn median(rows: &[ChipRow], core: Core, [function, format, case]: [&str; 3]) -> Option<u32> {
+/// The median of one case.
+fn median(rows: &[ChipRow], core: Core, call: &Call, case: &str) -> Option<u32> {
+    let Call { function, format, by, .. } = call;
     let here = |row: &&ChipRow| {
-        row.is_ours() && [row.count.function, row.count.format, row.count.case] == [function, format, case]
+        let count = &row.count;
+        [count.function, count.format, count.by, count.case] == [function.as_str(), format.as_str(), by, case]
     };
     rows.iter().find(here).and_then(|row| row.count.on(core)).map(|cost| cost.median)
 }
@@ -171,6 +182,7 @@ pub fn names(rows: &[ChipRow], part: impl Fn(&chip::Row) -> &'static str) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::author::{FORMULA, OURS, SOFT};
     use crate::sample;
 
     #[test]
@@ -186,7 +198,9 @@ mod tests {
             sample::count("cap", "f32", "outside", medians(1000)),
             sample::count("normalize", "f32", "any", medians(70)),
         ];
-        let price = |core, function| price(&rows, core, function, "f32").map(|price| (price.cost, price.said));
+        let call =
+            |function: &str| Call { function: function.to_owned(), format: "f32".to_owned(), by: OURS, host: [1.0; 3] };
+        let price = |core, function| price(&rows, core, &call(function)).map(|price| (price.cost, price.said));
         let said = "instructions on M0+: 1\u{202f}000 outside the disc, 400 inside the disc".to_owned();
         assert_eq!(price(Core::M0, "cap"), Some((1000.0, said)));
         assert_eq!(price(Core::M4, "normalize"), Some((14.0, "instructions on M4F: 14".to_owned())));
@@ -205,6 +219,21 @@ mod tests {
         assert_eq!(unit("pixel cone_ggx").as_deref(), Some("relative"));
         assert_eq!(unit("normalize").as_deref(), Some("rad"));
         assert_eq!(unit("cone_ggx"), None, "a highlight alone is not judged here");
+    }
+
+    #[test]
+    fn an_error_is_that_of_the_same_code() {
+        let mut study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        study.rivals.directions.push(Row { by: SOFT, ..sample::row("cap", "f32", 1.0, 5e-8) });
+        let found = |by| {
+            let count = chip::Row { by, ..sample::count("cap", "f32", "outside", [Some(9); 3]).count };
+            found(&study, &count).map(|found| (found.error, found.note))
+        };
+        assert_eq!(found(OURS), Some((1e-7, String::new())));
+        assert_eq!(found(SOFT), Some((5e-8, String::new())));
+        assert_eq!(found(FORMULA), None);
+        let (error, note) = found("micromath 2.1.0").expect("a peer");
+        assert!(error == 1.598e-4 && note.starts_with("200 000 random; by the exponent"), "{error:e} {note}");
     }
 
     #[test]

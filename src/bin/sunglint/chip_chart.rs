@@ -17,7 +17,7 @@ const PANEL: (f64, f64) = (920.0, 430.0);
 pub fn of_cores(study: &Study) -> String {
     let key = direction_key(study);
     let Some(first) = study.rows.first() else { return chart::nothing() };
-    let fields = fields(study, &under_light(&study.rows, &first.light));
+    let fields = fields(study, &under_light(study.all_directions(), &first.light));
     let layout = |place: usize| {
         let (title, entries) = legend(&fields[place], &key)[place].clone();
         panel::layout(&fields[place], PANEL).with_legend_group(title, entries).with_legend_width(LEGEND)

@@ -1,5 +1,6 @@
 //! The panel of the direction methods under one light.
 
+use crate::author::{self, is_peer};
 use crate::axis::{Axis, Costs, Price};
 use crate::error_kind::ErrorKind;
 use crate::field::{Field, Line, Point};
@@ -41,6 +42,7 @@ fn point((row, price): &(&Row, Price), kind: ErrorKind, on_frontier: bool) -> Po
     Point {
         method: row.method.clone(),
         format: row.format.clone(),
+        peer: is_peer(row.by),
         cost: price.cost,
         error: kind.worst(row),
         fails: row.failure.is_some(),
@@ -52,10 +54,11 @@ fn point((row, price): &(&Row, Price), kind: ErrorKind, on_frontier: bool) -> Po
 
 /// What is written next to the mark of `row`; its shape tells the method.
 fn label(row: &Row, kind: ErrorKind) -> String {
+    let label = author::label(&row.format, row.by);
     match &row.failure {
-        Some(failure) => format!("{} {failure}", row.format),
-        None if kind.worst(row) == 0.0 => format!("{} exact", row.format),
-        None => row.format.clone(),
+        Some(failure) => format!("{label} {failure}"),
+        None if kind.worst(row) == 0.0 => format!("{label} exact"),
+        None => label,
     }
 }
 
@@ -65,7 +68,7 @@ fn tooltip(row: &Row, kind: ErrorKind, price: &Price) -> String {
     format!(
         "{} in {}{}\n{} error up to {} rad, {} % of the radius\n{}",
         row.method,
-        row.format,
+        author::said(&row.format, row.by),
         failure.unwrap_or_default(),
         kind.name(),
         number::scientific(worst),

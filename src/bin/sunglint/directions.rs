@@ -1,10 +1,12 @@
 //! Errors and costs of the direction methods in every format under every light.
 
 use indicatif::ProgressBar;
+use sunglint::trial::input::Pair;
 use sunglint::trial::judge::DISC_LOST;
 use sunglint::trial::{Constants, Format, Judgement, Light, Method, Visitor, input, judge, lights};
 use sunglint::{Real, cap, disc, epic, factored};
 
+use crate::author::OURS;
 use crate::clock::{self, Batch, Contender, batch};
 use crate::measure::bits;
 use crate::options::Options;
@@ -30,7 +32,8 @@ pub fn steps(options: &Options) -> usize {
     wanted(options).count() * (Method::ALL.len() * Format::ALL.len() + rounds(options))
 }
 
-fn wanted(options: &Options) -> impl Iterator<Item = Light> {
+/// The lights that were asked for.
+pub fn wanted(options: &Options) -> impl Iterator<Item = Light> {
     lights::STUDY.into_iter().filter(|light| options.wants(light.name))
 }
 
@@ -114,15 +117,21 @@ impl Visitor for Judge<'_> {
     type Output = Row;
 
     fn visit<T: Real>(self) -> Row {
-        let theta = self.light.light.angular_radius();
-        let count = if self.options.quick { QUICK_PAIRS } else { PAIRS };
-        let pairs = input::random(self.options.seed, count, theta).chain(input::hard(theta));
+        let pairs = pairs(&self.light, self.options);
         let judgement = judge::<T>(self.method, &self.light.light, pairs, self.format.step());
         row(self.light, self.method, self.format, &judgement)
     }
 }
 
-fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgement<T>) -> Row {
+/// What all direction methods are tried on.
+pub fn pairs(light: &Light, options: &Options) -> impl Iterator<Item = Pair> + use<> {
+    let theta = light.light.angular_radius();
+    let count = if options.quick { QUICK_PAIRS } else { PAIRS };
+    input::random(options.seed, count, theta).chain(input::hard(theta))
+}
+
+/// A row without costs.
+pub fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgement<T>) -> Row {
     let failed = judgement.undirected == judgement.samples;
     let shown = |error: f64| if failed { f64::NAN } else { error };
     let worst = &judgement.worst;
@@ -133,6 +142,7 @@ fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgem
         theta: light.light.angular_radius(),
         method: method.name().to_owned(),
         format: format.name().to_owned(),
+        by: OURS,
         cost: f64::NAN,
         cost_low: f64::NAN,
         cost_high: f64::NAN,

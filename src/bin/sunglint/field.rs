@@ -33,6 +33,8 @@ pub struct Point {
     pub method: String,
     /// What its colour stands for.
     pub format: String,
+    /// Whether it is somebody else’s, which has no colour.
+    pub peer: bool,
     /// What a call costs.
     pub cost: f64,
     /// How high it stands.

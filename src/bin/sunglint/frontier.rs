@@ -31,16 +31,17 @@ impl Standing {
     }
 }
 
-/// Marks the rows of `study` that are on their light's or their case's frontier.
+/// Marks the rows of `study`, rivals too, that are on their light's or their case's frontier.
 pub fn mark(study: &mut Study) {
     let [arithmetic, total] = directions(study, |row| row.cost);
-    for (row, (arithmetic, total)) in study.rows.iter_mut().zip(arithmetic.into_iter().zip(total)) {
+    for (row, (arithmetic, total)) in study.all_directions_mut().zip(arithmetic.into_iter().zip(total)) {
         row.frontier = arithmetic;
         row.total_frontier = total;
     }
     Core::ALL.into_iter().for_each(|core| mark_on(core, study));
-    let pixels = members(&study.pixels, |row| row.case.clone(), |row| PixelError::default().standing(row, row.cost));
-    for (row, on_frontier) in study.pixels.iter_mut().zip(pixels) {
+    let rows: Vec<_> = study.all_pixels().collect();
+    let pixels = members(&rows, |row| row.case.clone(), |row| PixelError::default().standing(row, row.cost));
+    for (row, on_frontier) in study.pixels.iter_mut().chain(&mut study.rivals.pixels).zip(pixels) {
         row.frontier = on_frontier;
     }
 }
@@ -50,8 +51,8 @@ fn mark_on(core: Core, study: &mut Study) {
     let chip = &study.chip;
     let instructions = |row: &Row| Axis::Chip(core).price(chip, &row.call()).map_or(f64::NAN, |price| price.cost);
     let frontiers = directions(study, instructions);
-    let counts: Vec<_> = study.rows.iter().map(instructions).collect();
-    for (place, row) in study.rows.iter_mut().enumerate() {
+    let counts: Vec<_> = study.all_directions().map(instructions).collect();
+    for (place, row) in study.all_directions_mut().enumerate() {
         let (count, members) = row.on_chip_mut(core);
         *count = counts[place].is_finite().then_some(counts[place] as u32);
         members.into_iter().zip(&frontiers).for_each(|(member, frontier)| *member = frontier[place]);
@@ -60,8 +61,8 @@ fn mark_on(core: Core, study: &mut Study) {
 
 /// Who is on the frontiers of both errors of the directions, at some cost.
 fn directions(study: &Study, cost: impl Fn(&Row) -> f64) -> [Vec<bool>; 2] {
-    let light = |row: &Row| row.light.clone();
-    ErrorKind::ALL.map(|kind| members(&study.rows, light, |row| kind.standing(row, cost(row))))
+    let rows: Vec<_> = study.all_directions().collect();
+    ErrorKind::ALL.map(|kind| members(&rows, |row| row.light.clone(), |row| kind.standing(row, cost(row))))
 }
 
 /// For each of `rows`, whether no other of its group beats it.
@@ -138,6 +139,17 @@ mod tests {
         assert_eq!(shown(|row| (row.m0_instructions, row.m0_frontier)), [(Some(4700), true), (Some(1000), true)]);
         assert_eq!(shown(|row| (row.m3_instructions, row.m3_frontier)), [(None, false); 2]);
         assert_eq!(shown(|row| (row.m4_instructions, row.m4_total_frontier)), [(None, false), (Some(270), true)]);
+    }
+
+    #[test]
+    fn rivals_beat_whatever_is_dearer_and_more_wrong() {
+        let mut study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        mark(&mut study);
+        let [own, soft, peer] = [&study.rows[0], &study.rivals.directions[0], &study.rivals.directions[1]];
+        assert!(own.frontier && !soft.frontier, "on this machine they have no time");
+        assert_eq!([own, soft, peer].map(|row| row.m0_frontier), [false, true, false]);
+        assert_eq!([own, soft, peer].map(|row| row.m4_frontier), [false, false, true]);
+        assert_eq!(soft.m0_instructions, Some(950));
     }
 
     #[test]

@@ -5,7 +5,7 @@
 
 mod calls;
 mod group;
-mod vectors;
+pub mod vectors;
 
 use sunglint::oracle::planck::Law;
 use sunglint::trial::radiometry::Formula;
@@ -144,7 +144,8 @@ impl Kernel {
         }
     }
 
-    fn measured<const INPUTS: usize>(self, found: &Found<INPUTS>) -> Measured {
+    /// What was found, with the names of the inputs.
+    pub fn measured<const INPUTS: usize>(self, found: &Found<INPUTS>) -> Measured {
         let named = self.inputs().iter().zip(&found.worst).filter(|(name, _)| !name.is_empty());
         let worst: Vec<_> = named.map(|(name, value)| format!("{name} {value}")).collect();
         Measured { max: found.max, rms: found.rms(), samples: found.samples, worst: worst.join(", ") }

@@ -1,5 +1,6 @@
 //! The panel of one building block in all formats.
 
+use crate::author::{self, is_peer};
 use crate::axis::{Costs, Price};
 use crate::field::{Field, Point};
 use crate::frame::Frame;
@@ -47,22 +48,26 @@ fn error(row: &KernelRow, mean: Mean) -> f64 {
 }
 
 fn point((row, price): &(&KernelRow, Price), mean: Mean, on_frontier: bool) -> Point {
+    let (label, unit) = (author::label(&row.format, row.by), &row.unit);
+    let rms = match is_peer(row.by) {
+        true => String::new(),
+        false => format!(", rms {} {unit}", number::scientific(row.error_rms)),
+    };
     Point {
         method: row.kernel.clone(),
         format: row.format.clone(),
+        peer: is_peer(row.by),
         cost: price.cost,
         error: error(row, mean),
         fails: !row.error_max.is_finite(),
         on_frontier,
-        label: if error(row, mean) == 0.0 { format!("{} exact", row.format) } else { row.format.clone() },
+        label: if error(row, mean) == 0.0 { format!("{label} exact") } else { label },
         tooltip: format!(
-            "{} in {}\nerror up to {} {unit}, rms {} {unit}\n{}",
+            "{} in {}\nerror up to {} {unit}{rms}\n{}",
             row.kernel,
-            row.format,
+            author::said(&row.format, row.by),
             number::scientific(row.error_max),
-            number::scientific(row.error_rms),
             price.said,
-            unit = row.unit,
         ),
     }
 }

@@ -4,6 +4,7 @@ use indicatif::ProgressBar;
 use sunglint::Real;
 use sunglint::trial::{Format, Light, Visitor, lights};
 
+use crate::author::OURS;
 use crate::clock::{self, Contender};
 use crate::directions;
 use crate::kernel::{Kernel, Measured};
@@ -22,6 +23,11 @@ pub fn steps(options: &Options) -> usize {
 /// How often every contender has its turn.
 fn rounds(options: &Options) -> usize {
     if options.quick { 17 } else { 81 }
+}
+
+/// How many pairs.
+pub fn pairs(options: &Options) -> usize {
+    PAIRS[usize::from(options.quick)]
 }
 
 fn of_all() -> impl Iterator<Item = (Kernel, Format)> {
@@ -71,20 +77,26 @@ impl Visitor for Judge<'_> {
     type Output = KernelRow;
 
     fn visit<T: Real>(self) -> KernelRow {
-        let count = PAIRS[usize::from(self.options.quick)];
-        let Measured { max, rms, samples, worst } = self.kernel.errors::<T>(self.options.seed, count);
-        KernelRow {
+        let measured = self.kernel.errors::<T>(self.options.seed, pairs(self.options));
+        let row = KernelRow {
             group: self.kernel.group().name().to_owned(),
             kernel: self.kernel.name().to_owned(),
             unit: self.kernel.unit().to_owned(),
             format: self.format.name().to_owned(),
+            by: OURS,
             cost: f64::NAN,
             cost_low: f64::NAN,
             cost_high: f64::NAN,
-            error_max: max,
-            error_rms: rms,
-            samples,
-            worst_input: worst,
-        }
+            error_max: f64::NAN,
+            error_rms: f64::NAN,
+            samples: 0,
+            worst_input: String::new(),
+        };
+        with_errors(row, measured)
     }
+}
+
+/// `row` with what was measured.
+pub fn with_errors(row: KernelRow, Measured { max, rms, samples, worst }: Measured) -> KernelRow {
+    KernelRow { error_max: max, error_rms: rms, samples, worst_input: worst, ..row }
 }

@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 where all went well, 1 where a file could not be written, 2 for a wrong command line.
 
+mod author;
 mod axis;
 mod call;
 mod chart;
@@ -33,9 +34,11 @@ mod page;
 mod panel;
 mod pixel_error;
 mod pixel_panel;
+mod pixel_q14;
 mod pixels;
 mod quantities;
 mod result;
+mod rivals;
 #[cfg(test)]
 mod sample;
 mod sheet;

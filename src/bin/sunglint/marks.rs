@@ -4,7 +4,7 @@ use kuva::prelude::{MarkerShape, ScatterPlot};
 
 use crate::field::Point;
 use crate::key::Key;
-use crate::panel::PAPER;
+use crate::panel::{PAPER, PEER};
 
 /// Half the width of a mark, in pixels.
 const SIZE: f64 = 6.0;
@@ -24,7 +24,7 @@ pub fn sizes(pixels: &[(f64, f64)]) -> Vec<f64> {
 
 /// The mark of `point`: filled where it works, hollow and crossed out where it fails.
 pub fn of(point: &Point, key: &Key, at: (f64, f64), size: f64) -> Vec<ScatterPlot> {
-    let (shape, colour) = (key.shape(&point.method), key.colour(&point.format));
+    let (shape, colour) = (key.shape(&point.method), if point.peer { PEER } else { key.colour(&point.format) });
     let mark = |shape: MarkerShape, colour: &str, size: f64| {
         ScatterPlot::new()
             .with_data([at])

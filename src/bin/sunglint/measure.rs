@@ -5,7 +5,8 @@ use sunglint::trial::Format;
 
 use crate::options::Options;
 use crate::result::Study;
-use crate::{chip, directions, kernels, lobes, pixels, quantities};
+use crate::rivals::{self, Rivals};
+use crate::{chip, directions, kernels, lobes, pixel_q14, pixels, quantities};
 
 /// Names of the lights that can be asked for: of directions, of lit pixels and of whole highlights.
 pub fn light_names() -> Vec<&'static str> {
@@ -15,7 +16,8 @@ pub fn light_names() -> Vec<&'static str> {
 /// Measures what `options` asks for.
 pub fn run(options: &Options, progress: &ProgressBar) -> Study {
     let steps = [directions::steps(options), quantities::COUNT, pixels::steps(options), kernels::steps(options)];
-    progress.set_length((steps.into_iter().sum::<usize>() + lobes::steps(options)) as u64);
+    let rivals = rivals::steps(options) + pixel_q14::steps(options) + rivals::kernels::STEPS;
+    progress.set_length((steps.into_iter().sum::<usize>() + lobes::steps(options) + rivals) as u64);
     let mut study = Study {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         seed: options.seed,
@@ -27,9 +29,16 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
         lobes: lobes::measure(options, progress),
         kernels: kernels::errors(options, progress),
         chip: Vec::new(),
+        rivals: Rivals::default(),
+    };
+    study.rivals = Rivals {
+        directions: rivals::directions(&study.rows, options, progress),
+        pixels: pixel_q14::errors(&study.pixels, options, progress),
+        kernels: rivals::kernels::errors(&study.kernels, options, progress),
     };
     directions::add_costs(&mut study.rows, options, progress);
     pixels::add_costs(&mut study.pixels, options, progress);
+    pixel_q14::add_costs(&mut study.rivals.pixels, options, progress);
     kernels::add_costs(&mut study.kernels, options, progress);
     study.chip = chip::rows(&study);
     study

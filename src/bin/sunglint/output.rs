@@ -201,6 +201,18 @@ mod tests {
     }
 
     #[test]
+    fn rivals_stand_where_they_have_a_cost() {
+        let [soft, peer] = ["sunglint soft", "libm 0.2.16"].map(|by| format!("<title>cap in f32 by {by}"));
+        assert!(written("chips.svg").contains(&soft) && written("chips.svg").contains(">f32 soft<"));
+        assert!(written("chips.svg").contains(&peer) && written("chips.svg").contains(">grey: a peer<"));
+        assert!(!written("chart.svg").contains("in f32 by") && !written("chart.svg").contains("a peer"));
+        assert!(written("pixels.svg").contains(">PixelQ14<"), "it has been timed");
+        let value: serde_json::Value = serde_json::from_str(&written("results.json")).expect("JSON");
+        assert_eq!(value["rivals"]["directions"][0]["by"], "sunglint soft");
+        assert!(value["rows"][0].get("by").is_none() && !written("results.csv").contains("sunglint"));
+    }
+
+    #[test]
     fn the_report_loads_nothing() {
         let text = written("report.html").replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
         assert!(!text.contains("http://") && !text.contains("https://"));

@@ -44,7 +44,11 @@ pub fn report(study: &Study) -> String {
          <header><h1>sunglint</h1><p>Error against cost of light directions, lit pixels and their parts, {} \
          measurements</p></header>\n<nav><ul>{contents}</ul></nav>\n<main>\n{sections}</main>\n\
          <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
-        study.rows.len() + study.pixels.len() + study.lobes.len() + study.kernels.len() + study.chip.len(),
+        study.all_directions().count()
+            + study.all_pixels().count()
+            + study.lobes.len()
+            + study.kernels.len()
+            + study.chip.len(),
     )
 }
 
@@ -74,7 +78,12 @@ fn sections(study: &Study) -> Vec<Section> {
         let errors = "Specular direction: arithmetic error, model error, total error";
         sections.extend([
             section("directions", Some("Directions"), "Specular direction: error against cost", charts),
-            section("methods", None, "Specular direction: the methods", directions::METHODS.to_owned()),
+            section(
+                "methods",
+                None,
+                "Specular direction: the methods",
+                format!("{}\n{}", directions::METHODS, directions::RIVALS),
+            ),
             section("errors", None, errors, directions::errors(study)),
             section("all-directions", None, "Specular direction: all measurements", directions::all(study)),
         ]);
@@ -164,7 +173,7 @@ mod tests {
         let figures = [count("<figure data-light"), count("<figure data-case"), count("class=\"several\"")];
         assert_eq!(figures, [2 * 4 + 1, 2 * 2 * 4, 2 * 4]);
         assert_eq!(count("<tr data-function"), study.chip.len());
-        assert_eq!(count("<tr data-case"), study.pixels.len());
+        assert_eq!(count("<tr data-case"), study.all_pixels().count());
         assert_eq!(count("data-alpha"), study.lobes.len());
         for option in ["Sun, alpha 0.001", "45", "0.0625", "all"] {
             assert!(html.contains(&format!("<option>{option}</option>")), "{option}");

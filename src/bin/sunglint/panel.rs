@@ -24,6 +24,8 @@ pub const INK: &str = "#1b1b1b";
 pub const PAPER: &str = "#ffffff";
 /// Colour of the frontier.
 pub const STEP: &str = "#7a7a7a";
+/// Colour of the marks of peers.
+pub const PEER: &str = "#9a9a9a";
 /// Colour of the lines at the ticks.
 pub const GRID: &str = "#e6e6e6";
 /// Colour of the lines to compare with.

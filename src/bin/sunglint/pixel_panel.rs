@@ -1,5 +1,6 @@
 //! The panel of lit pixels in one case.
 
+use crate::author::{self, is_peer};
 use crate::axis::{Costs, Price};
 use crate::error_kind::ErrorKind;
 use crate::field::{Field, Line, Point};
@@ -55,14 +56,16 @@ fn point((row, price): &(&PixelRow, Price), error: PixelError, on_frontier: bool
     Point {
         method: row.method.clone(),
         format: row.format.clone(),
+        peer: is_peer(row.by),
         cost: price.cost,
         error: error.of(row),
         fails: row.failure.is_some(),
         on_frontier,
-        label: match &row.failure {
-            Some(failure) => format!("{} {failure}", row.format),
-            None => row.format.clone(),
-        },
+        label: [Some(author::label(&row.format, row.by)), row.failure.clone()]
+            .into_iter()
+            .flatten()
+            .collect::<Vec<_>>()
+            .join(" "),
         tooltip: tooltip(row, error, price),
     }
 }
@@ -71,7 +74,7 @@ fn tooltip(row: &PixelRow, error: PixelError, price: &Price) -> String {
     format!(
         "{} in {}\n{} of the arithmetic error {}, of the model error {}, of both {}\n{}",
         row.method,
-        row.format,
+        author::said(&row.format, row.by),
         error.mean.name(),
         number::scientific(PixelError { kind: ErrorKind::Arithmetic, ..error }.of(row)),
         number::scientific(error.model(row)),

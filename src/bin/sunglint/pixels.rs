@@ -3,11 +3,13 @@
 use indicatif::ProgressBar;
 use sunglint::Real;
 use sunglint::highlight::Highlight;
+use sunglint::oracle::highlight::Pixel;
 use sunglint::oracle::quadrature::Quadrature;
 use sunglint::scene::Channel;
 use sunglint::trial::gloss::{self, CASES, Case};
 use sunglint::trial::{Format, Found, Light, Make, Shading, ShadingVisitor, Visitor, input};
 
+use crate::author::OURS;
 use crate::clock::{self, Batch, Contender, batch};
 use crate::directions;
 use crate::measure::bits;
@@ -37,7 +39,8 @@ pub fn steps(options: &Options) -> usize {
     wanted(options).len() * (1 + CONTENDERS + rounds(options))
 }
 
-fn wanted(options: &Options) -> Vec<Case> {
+/// The cases that were asked for.
+pub fn wanted(options: &Options) -> Vec<Case> {
     CASES.into_iter().filter(|case| options.wants(case.name)).collect()
 }
 
@@ -46,7 +49,7 @@ fn pixels(options: &Options) -> [usize; 3] {
 }
 
 /// How often every contender has its turn.
-fn rounds(options: &Options) -> usize {
+pub fn rounds(options: &Options) -> usize {
     if options.quick { 5 } else { 25 }
 }
 
@@ -103,7 +106,7 @@ fn contender(method: Shading, format: Format, case: &Case) -> Contender {
 }
 
 /// Normal and direction to the viewer of the pixels of a ball in scan order.
-fn ball() -> impl Iterator<Item = [[f64; 3]; 2]> {
+pub fn ball() -> impl Iterator<Item = [[f64; 3]; 2]> {
     const V: [f64; 3] = [0.0, 0.0, 1.0];
     input::ball(SIDE).map(|pair| {
         // The normal is halfway between the viewer and the mirror ray.
@@ -111,6 +114,11 @@ fn ball() -> impl Iterator<Item = [[f64; 3]; 2]> {
         let length = sum.map(|lane| lane * lane).iter().sum::<f64>().sqrt();
         [sum.map(|lane| lane / length), V]
     })
+}
+
+/// Direction to the light of a ball, which is that of `input::ball`.
+pub fn ball_light() -> [f64; 3] {
+    [1.0, 2.0, 3.0].map(|lane: f64| lane / 14_f64.sqrt())
 }
 
 /// A batch of a method's calls on the pixels of a ball, or of empty ones.
@@ -140,9 +148,8 @@ impl<T: Real> ShadingVisitor<T> for Calls<'_, T> {
     type Output = Batch;
 
     fn visit<H: Highlight<T> + 'static>(self, method: Make<T, H>) -> Batch {
-        // The light of `input::ball`.
-        let l = [1.0, 2.0, 3.0].map(|lane: f64| T::from_f64(lane / 14_f64.sqrt()));
-        let scene = gloss::scene(self.case, l, method).expect("the cases are within every format's ranges");
+        let scene = gloss::scene(self.case, ball_light().map(T::from_f64), method)
+            .expect("the cases are within every format's ranges");
         batch(self.pixels, move |&[n, v]| scene.shade_channel(n, v, Channel::Green))
     }
 }
@@ -161,35 +168,57 @@ impl Visitor for Judge<'_> {
 
     fn visit<T: Real>(self) -> PixelRow {
         let Self { case, method, format, model, options } = self;
-        let [arithmetic, _, input] = pixels(options).map(|count| case.pixels(options.seed, count));
-        let error = gloss::arithmetic::<T>(method, &case, arithmetic);
-        let input = gloss::input::<T>(method, &case, input);
-        let [n, v, l] = [0, 3, 6].map(|first| bits(format, &error.worst[first..first + 3]));
-        PixelRow {
+        let error = gloss::arithmetic::<T>(method, &case, arithmetic(&case, options));
+        let input = gloss::input::<T>(method, &case, case.pixels(options.seed, pixels(options)[2]));
+        let row = PixelRow {
             case: case.name.to_owned(),
             ratio: case.light.sin(),
             alpha: case.alpha,
             method: method.name().to_owned(),
             format: format.name().to_owned(),
+            by: OURS,
             cost: f64::NAN,
             cost_low: f64::NAN,
             cost_high: f64::NAN,
-            error_max: error.max,
-            error_rms: error.rms(),
+            error_max: f64::NAN,
+            error_rms: f64::NAN,
             model_max: model.max,
             model_rms: model.rms(),
-            total_max: error.max.hypot(model.max),
-            total_rms: error.rms().hypot(model.rms()),
+            total_max: f64::NAN,
+            total_rms: f64::NAN,
             input_max: input.max,
             input_rms: input.rms(),
-            samples: error.samples,
+            samples: 0,
             model_samples: model.samples,
-            failure: (!error.max.is_finite()).then(|| "NaN".to_owned()),
-            worst_n: n,
-            worst_v: v,
-            worst_l: l,
+            failure: None,
+            worst_n: String::new(),
+            worst_v: String::new(),
+            worst_l: String::new(),
             frontier: false,
-        }
+        };
+        with_arithmetic(row, format, &error)
+    }
+}
+
+/// The pixels of which arithmetic errors are taken.
+pub fn arithmetic(case: &Case, options: &Options) -> impl Iterator<Item = Pixel> + use<> {
+    case.pixels(options.seed, pixels(options)[0])
+}
+
+/// `row` with an arithmetic error, and the total that this makes with its model's.
+pub fn with_arithmetic(row: PixelRow, format: Format, error: &Found<9>) -> PixelRow {
+    let [worst_n, worst_v, worst_l] = [0, 3, 6].map(|first| bits(format, &error.worst[first..first + 3]));
+    PixelRow {
+        error_max: error.max,
+        error_rms: error.rms(),
+        total_max: error.max.hypot(row.model_max),
+        total_rms: error.rms().hypot(row.model_rms),
+        samples: error.samples,
+        failure: (!error.max.is_finite()).then(|| "NaN".to_owned()),
+        worst_n,
+        worst_v,
+        worst_l,
+        ..row
     }
 }
 

@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
+use crate::author;
 use crate::chip::ChipRow;
+use crate::rivals::Rivals;
 
 /// One method in one number format under one light.
 #[derive(Clone, Debug, Serialize)]
@@ -17,6 +19,9 @@ pub struct Row {
     pub method: String,
     /// Name of the number format, such as `I2F14`.
     pub format: String,
+    /// Whose code it is; written only where it is not what the format always runs.
+    #[serde(skip_serializing_if = "author::is_ours")]
+    pub by: &'static str,
     /// Time of a call over the time of f32 `factored` in the same run: median over the rounds.
     pub cost: f64,
     /// Lower quartile of that ratio.
@@ -112,6 +117,9 @@ pub struct PixelRow {
     pub method: String,
     /// Name of the number format, such as `I2F14`.
     pub format: String,
+    /// Whose code it is; written only where it is not what the format always runs.
+    #[serde(skip_serializing_if = "author::is_ours")]
+    pub by: &'static str,
     /// Time of a pixel over the time of f32 `factored` in the same run: median over the rounds.
     pub cost: f64,
     /// Lower quartile of that ratio.
@@ -188,6 +196,9 @@ pub struct KernelRow {
     pub unit: String,
     /// Name of the number format, such as `I2F14`.
     pub format: String,
+    /// Whose code it is; written only where it is not what the format always runs.
+    #[serde(skip_serializing_if = "author::is_ours")]
+    pub by: &'static str,
     /// Time of a call over the time of f32 `factored` in the same run: median over the rounds.
     pub cost: f64,
     /// Lower quartile of that ratio.
@@ -221,6 +232,8 @@ pub struct Study {
     pub quantities: Vec<QuantityRow>,
     /// One row per case, highlight method and format.
     pub pixels: Vec<PixelRow>,
+    /// The same by other code than a format always runs.
+    pub rivals: Rivals,
     /// One row per light, incidence, roughness and highlight method.
     pub lobes: Vec<LobeRow>,
     /// One row per building block and format.

@@ -2,9 +2,11 @@
 
 use sunglint::trial::chip::{self, Cost};
 
+use crate::author::{OURS, PIXEL_Q14, SOFT};
 use crate::axis::{Axis, Costs};
-use crate::chip::{ChipRow, Found, OURS};
+use crate::chip::{ChipRow, Found};
 use crate::result::{KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
+use crate::rivals::Rivals;
 
 /// Times on this machine.
 pub const HOST: Costs<'static> = Costs { axis: Axis::Host, chip: &[] };
@@ -17,6 +19,7 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         theta: 0.004650484,
         method: method.to_owned(),
         format: format.to_owned(),
+        by: OURS,
         cost,
         cost_low: cost * 0.98,
         cost_high: cost * 1.02,
@@ -62,6 +65,7 @@ pub fn study(rows: Vec<Row>) -> Study {
         lobes: Vec::new(),
         kernels: Vec::new(),
         chip: Vec::new(),
+        rivals: Rivals::default(),
     }
 }
 
@@ -84,8 +88,16 @@ pub fn whole_study(rows: Vec<Row>) -> Study {
             count("disc", "I2F14", "outside", [Some(1000), None, Some(270)]),
             count("pixel karis", "f32", "any", [Some(9000), Some(5000), Some(800)]),
             count("normalize", "f32", "any", [Some(1500), Some(700), Some(40)]),
+            by(SOFT, count("cap", "f32", "outside", [Some(950), Some(250), Some(250)])),
+            by("libm 0.2.16", count("cap", "f32", "outside", [Some(4900), Some(2700), Some(120)])),
+            by(PIXEL_Q14, count("pixel karis", "f32", "outside", [Some(760), Some(380), Some(380)])),
             peer(),
         ],
+        rivals: Rivals {
+            directions: [SOFT, "libm 0.2.16"].map(|by| Row { by, ..row("cap", "f32", f64::NAN, 5e-8) }).into(),
+            kernels: vec![KernelRow { by: SOFT, cost: f64::NAN, error_max: 4e-8, ..kernel("f32", 1.0) }],
+            pixels: vec![PixelRow { by: PIXEL_Q14, ..pixel("karis", "f32", 3.0, 1e-6) }],
+        },
         ..study(rows)
     }
 }
@@ -98,6 +110,7 @@ pub fn pixel(method: &str, format: &str, cost: f64, error: f64) -> PixelRow {
         alpha: 0.001,
         method: method.to_owned(),
         format: format.to_owned(),
+        by: OURS,
         cost,
         cost_low: cost * 0.98,
         cost_high: cost * 1.02,
@@ -142,6 +155,7 @@ pub fn kernel(format: &str, error: f64) -> KernelRow {
         kernel: "normalize".to_owned(),
         unit: "rad".to_owned(),
         format: format.to_owned(),
+        by: OURS,
         cost: 0.4,
         cost_low: 0.39,
         cost_high: 0.41,
@@ -165,8 +179,13 @@ pub fn count(function: &'static str, format: &'static str, case: &'static str, m
             costs: medians.map(|median| median.map(cost)),
             note: "",
         },
-        found: Some(Found { error: 1e-7, unit: "rad".to_owned(), failure: None }),
+        found: Some(Found { error: 1e-7, unit: "rad".to_owned(), failure: None, note: String::new() }),
     }
+}
+
+/// The same by somebody else.
+fn by(by: &'static str, row: ChipRow) -> ChipRow {
+    ChipRow { count: chip::Row { by, ..row.count }, ..row }
 }
 
 /// A peer that cannot be counted.

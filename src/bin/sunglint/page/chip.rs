@@ -11,9 +11,10 @@ const INTRODUCTION: &str = "<p>Instructions from the call to the return, all tha
 stack in bytes, counted exactly under QEMU at <code>opt-level = 3</code>; bytes of code, with all that it calls, and \
 of tables at <code>opt-level = \"s\"</code>. An instruction is not a cycle: loads, jumps and divisions may take \
 several. <strong>By</strong> says whose it is: <em>sunglint</em> as it is always called, <em>formula</em> the generic \
-code of a format that has code of its own beside it, <em>sunglint soft</em> f32 computed in integers, and everything \
+code of a format that has code of its own beside it, <em>sunglint soft</em> f32 computed in integers, <em>PixelQ14</em> a lit pixel with code of its own, and everything \
 else a peer with its version. <strong>Case</strong> says of which inputs the median and the worst are: rays inside \
-the light’s disc, outside, or any. The worst arithmetic error is the study’s own, where it has judged that function: \
+the light’s disc, outside, or any. The worst arithmetic error is the study’s own, where it has judged that code, and a peer’s as the crate \
+<code>tests/peers</code> has found it on the inputs that its note names, without the hard ones: \
 of a direction under the Sun from Earth, of a pixel in the case";
 
 const COLUMNS: [&str; 17] = [
@@ -88,8 +89,8 @@ fn line(row: &ChipRow) -> String {
 /// How the study says that it fails, and the note.
 fn said(row: &ChipRow) -> String {
     let fails = row.failure().map(|why| format!("fails: {why}"));
-    let note = Some(row.count.note).filter(|note| !note.is_empty() && row.failure() != Some(note));
-    fails.into_iter().chain(note.map(str::to_owned)).collect::<Vec<_>>().join("; ")
+    let note = Some(row.notes()).filter(|note| !note.is_empty() && row.failure() != Some(note));
+    fails.into_iter().chain(note).collect::<Vec<_>>().join("; ")
 }
 
 /// A cell without a figure, which comes last in any order.

@@ -2,6 +2,7 @@
 
 use super::cells::{self, bits, cell, count, percent, scientific, sortable, text};
 use super::costs;
+use crate::author::is_ours;
 use crate::axis::Costs;
 use crate::chart::{self, under_light};
 use crate::direction_panel;
@@ -37,6 +38,14 @@ is computed in f64, so errors of some 1e-16 rad are the truth’s own rounding a
 their order says nothing. Left out are directions beside the opposite of the light, where all of \
 the rim is as near, and where the representative point falls into the origin; the table counts them.</p>";
 
+/// What only charts over instructions show.
+pub const RIVALS: &str = "<p>Over instructions there are more marks, of code that no format runs by itself. \
+<em>f32 soft</em> (<code>soft::cap</code>) computes f32 in integers, by way of I2F30; it is judged on the same directions, \
+and at its worst beside the opposite of the light, where the side of the rim hangs on the rounding. <em>formula</em> is the \
+generic code where a format has code of its own. <strong>Grey</strong> are peers, under the Sun from Earth alone: the \
+crate <code>tests/peers</code> has tried them on 200 000 random directions, without the hard ones, and their total error is at \
+most what is drawn, their arithmetic error and the model’s together.</p>";
+
 /// Which calls the instructions are of.
 const COUNTED: &str = "a call (the median of rays outside the disc, under the Sun from Earth; taken for each light, \
 whose size changes constants, not the code)";
@@ -56,10 +65,10 @@ pub fn charts(study: &Study) -> String {
     let choice =
         [cells::select("Light", "light", &lights), cells::radio("Error", "kind", &kinds), costs::choice(&offered)];
     let figure = |light: &String, kind: ErrorKind, costs: Costs| {
-        let rows = under_light(&study.rows, light);
+        let rows = under_light(study.all_directions(), light);
         let name = format!("{}: {} error", chart::direction_title(light, costs.axis), kind.name());
         let svg = chart::one_panel(&direction_panel::field(&rows, kind, costs), &key, &name);
-        let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
+        let calls: Vec<_> = rows.iter().filter(|row| is_ours(row.by)).map(|row| row.call()).collect();
         let caption = format!("{light}, {} error {}", kind.name(), kind.against());
         let caption = caption + &costs::caption(&costs, COUNTED, &calls);
         cells::figure(&[("light", light), ("kind", kind.name()), ("axis", costs.axis.name())], &caption, &svg)

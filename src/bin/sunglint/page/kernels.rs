@@ -2,6 +2,7 @@
 
 use super::cells::{self, cell, count, scientific, sortable, text};
 use super::costs;
+use crate::author::{is_ours, is_peer};
 use crate::axis::Costs;
 use crate::chart;
 use crate::kernel::Kernel;
@@ -13,7 +14,8 @@ use crate::result::{KernelRow, Study};
 
 const INTRODUCTION: &str = "<p>What a lit pixel and its light are made of, each part by itself, at the Sun from Earth: its \
 error against f64 at the inputs as they were rounded into the format, and its cost. What an error is relative to stands under \
-each chart. In f64 the errors are the truth’s own rounding as much. Costs of 1/16 and less count as 1/16: the clock cannot tell them from nothing.</p>\
+each chart. Over instructions there are more marks: <em>soft</em> is f32 computed in integers (<code>sunglint::soft</code>), and \
+grey are peers, whose worst errors are those that the crate <code>tests/peers</code> has found. In f64 the errors are the truth’s own rounding as much. Costs of 1/16 and less count as 1/16: the clock cannot tell them from nothing.</p>\
 <p>Where a format cannot hold a quantity, all formats compute its normalised form. f16 ends at 65 504 and is subnormal below \
 6.1e-5, and in SI units the Sun’s radiance peaks at 2.6e13: so Planck’s law is over its peak, a colour over the brightest of its \
 levels, temperatures are in kilokelvins and wavelengths in micrometres. Of radiance 1 the Sun gives 6.8e-5: so what a plane gets is \
@@ -37,14 +39,14 @@ pub fn all(study: &Study) -> String {
     let choice = cells::radio("Error", "mean", &Mean::ALL.map(Mean::name)) + &costs::choice(&offered);
     let choice = cells::form(&choice);
     let names = in_order(rows.iter().map(|row| &row.group));
-    let groups: String = names.iter().map(|name| group(rows, name, &key, &offered)).collect();
+    let groups: String = names.iter().map(|name| group(study, name, &key, &offered)).collect();
     let lines: String = rows.iter().map(line).collect();
     format!("{INTRODUCTION}\n{choice}{groups}<h3>All measurements</h3>\n{}", sortable("blocks", &COLUMNS, &lines))
 }
 
 /// The charts of a group, those of one mean and one cost in a figure.
-fn group(rows: &[KernelRow], group: &str, key: &Key, offered: &[Costs]) -> String {
-    let rows: Vec<_> = rows.iter().filter(|row| row.group == group).collect();
+fn group(study: &Study, group: &str, key: &Key, offered: &[Costs]) -> String {
+    let rows: Vec<_> = study.all_kernels().filter(|row| row.group == group).collect();
     let names = in_order(rows.iter().map(|row| &row.kernel));
     let figure = |mean: Mean, costs: Costs| {
         let panels: String = names.iter().map(|name| panel(&rows, name, mean, key, costs)).collect();
@@ -57,7 +59,7 @@ fn group(rows: &[KernelRow], group: &str, key: &Key, offered: &[Costs]) -> Strin
 
 /// What of a group has no count on a core; nothing for times.
 fn caption(rows: &[&KernelRow], costs: Costs) -> String {
-    let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
+    let calls: Vec<_> = rows.iter().filter(|row| is_ours(row.by)).map(|row| row.call()).collect();
     match costs.left_out(&calls) {
         left_out if left_out.is_empty() => left_out,
         left_out => format!(
@@ -70,7 +72,9 @@ fn caption(rows: &[&KernelRow], costs: Costs) -> String {
 
 /// The chart of a function; none where no format has a cost.
 fn panel(rows: &[&KernelRow], name: &str, mean: Mean, key: &Key, costs: Costs) -> String {
-    let rows: Vec<_> = rows.iter().copied().filter(|row| row.kernel == name).collect();
+    // Of peers the worst error alone is known.
+    let known = |row: &&KernelRow| !is_peer(row.by) || mean == Mean::Max;
+    let rows: Vec<_> = rows.iter().copied().filter(|row| row.kernel == name).filter(known).collect();
     if costs.priced(&rows, KernelRow::call).is_empty() {
         return String::new();
     }

@@ -4,6 +4,7 @@ use sunglint::trial::chip::WIDTHS;
 
 use super::cells::{self, bits, cell, scientific, sortable, text};
 use super::costs;
+use crate::author::{self, is_ours};
 use crate::axis::Costs;
 use crate::chart::{self, of_case};
 use crate::error_kind::ErrorKind;
@@ -30,6 +31,8 @@ point.</dd>\
 <dt>exact_rp (<code>PointGgx::exact_rp</code>)</dt><dd>the same with the energy that the shape has for small angles.</dd>\
 <dt>disc_ggx, disc_ggx dir (<code>DiscGgx::new</code>, <code>directional</code>)</dt><dd>GGX averaged over the disc in closed form, the disc in the half vectors taken for a circle \
 or for an ellipse.</dd>\
+<dt>PixelQ14 (<code>raw::PixelQ14</code>)</dt><dd>disc_ggx in I2F14 with code of its own, whose constants hold light, surface and \
+illuminance.</dd>\
 <dt>cone_ggx, cone_ggx shifted (<code>ConeGgx</code>, <code>ShiftedConeGgx</code>)</dt><dd>GGX integrated over the exact cone of half vectors, the rest of the BRDF taken at the disc’s centre, \
 or between that and the point nearest to the mirror ray. The root of a cubic is found by three steps; what they leave, which is \
 below 1e-8 of a pixel, counts as arithmetic error, in f64 too.</dd></dl>";
@@ -73,11 +76,11 @@ pub fn charts(study: &Study) -> String {
     let offered = Costs::offered(&study.chip, &calls);
     let counted = counted();
     let figure = |case: &String, error: PixelError, costs: Costs| {
-        let rows = of_case(&study.pixels, case);
+        let rows = of_case(study.all_pixels(), case);
         let field = pixel_panel::field(&rows, error, costs);
         let svg = chart::one_panel(&field, &key, &chart::pixel_title(case, error, costs.axis));
         let (kind, mean) = (error.kind.name(), error.mean.name());
-        let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
+        let calls: Vec<_> = rows.iter().filter(|row| is_ours(row.by)).map(|row| row.call()).collect();
         let caption = format!("{case}: {mean} of the {kind} error {}", error.against());
         let caption = caption + &costs::caption(&costs, &counted, &calls);
         cells::figure(&[("case", case), ("kind", kind), ("mean", mean), ("axis", costs.axis.name())], &caption, &svg)
@@ -105,7 +108,7 @@ pub fn all(study: &Study) -> String {
         let class = if row.failure.is_some() { " class=\"fails\"" } else { "" };
         format!("<tr{}{class}>{}</tr>\n", cells::data(&[("case", &row.case)]), line(row))
     };
-    let lines: String = study.pixels.iter().map(line).collect();
+    let lines: String = study.all_pixels().map(line).collect();
     let choice = cells::select("Light and roughness", "case", &[cases(study), vec![cells::ALL.to_owned()]].concat());
     format!("{}{}", cells::form(&choice), sortable("lit-pixels", &COLUMNS, &lines))
 }
@@ -116,7 +119,7 @@ fn line(row: &PixelRow) -> String {
     [
         text(&row.case),
         text(&row.method),
-        text(&row.format),
+        text(&author::said(&row.format, row.by)),
         cell(row.cost, &number::cost(row.cost)),
         cell(row.cost_low, &quartiles),
         scientific(row.total_rms),

@@ -3,8 +3,10 @@
 use sunglint::trial::chip::Core;
 
 use super::{add_group, align_right, table};
+use crate::author::{self, is_peer};
 use crate::axis::{Axis, Costs};
 use crate::chart::{direction_key, under_light};
+use crate::key::in_order;
 use crate::number;
 use crate::result::{Row, Study};
 
@@ -13,14 +15,16 @@ use crate::result::{Row, Study};
 pub fn all(study: &Study) -> String {
     let key = direction_key(study);
     let first = study.rows.first().map_or("", |row| &row.light);
-    let rows = under_light(&study.rows, first);
+    let rows = under_light(study.all_directions().filter(|row| !is_peer(row.by)), first);
     let calls: Vec<_> = rows.iter().map(|row| row.call()).collect();
     let mut header = vec!["method", "core"];
     header.extend(key.formats.iter().map(String::as_str));
     let mut table = table(&header);
+    let codes: Vec<_> = rows.iter().map(|row| code(row)).collect();
+    let codes = in_order(codes.iter());
     for costs in Costs::offered(&study.chip, &calls) {
         let Axis::Chip(core) = costs.axis else { continue };
-        let lines = key.methods.iter().map(|method| line(&rows, method, core, &key.formats));
+        let lines = codes.iter().map(|code| line(&rows, code, core, &key.formats));
         add_group(&mut table, lines.filter(|line| line[2..].iter().any(|cell| !cell.is_empty())));
     }
     if table.is_empty() {
@@ -33,10 +37,15 @@ pub fn all(study: &Study) -> String {
     )
 }
 
-fn line(rows: &[&Row], method: &str, core: Core, formats: &[String]) -> Vec<String> {
-    let of = |format: &String| rows.iter().find(|row| row.method == method && row.format == *format);
+/// What a line is named by: the method, and whose code that is.
+fn code(row: &Row) -> String {
+    author::label(&row.method, row.by)
+}
+
+fn line(rows: &[&Row], name: &str, core: Core, formats: &[String]) -> Vec<String> {
+    let of = |format: &String| rows.iter().find(|row| code(row) == name && row.format == *format);
     let cells = formats.iter().map(|format| of(format).map_or_else(String::new, |row| cell(row, core)));
-    [method.to_owned(), core.name().to_owned()].into_iter().chain(cells).collect()
+    [name.to_owned(), core.name().to_owned()].into_iter().chain(cells).collect()
 }
 
 fn cell(row: &Row, core: Core) -> String {
@@ -65,6 +74,14 @@ mod tests {
         assert!(text.lines().count() <= 20, "{text}");
         assert_eq!(text.matches("*24\u{202f}000").count(), 28, "all are equal");
         assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
+    }
+
+    #[test]
+    fn other_code_has_lines_of_its_own_and_peers_none() {
+        let mut study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        frontier::mark(&mut study);
+        let text = all(&study);
+        assert!(text.contains("cap soft") && text.contains("*950") && !text.contains("libm"), "{text}");
     }
 
     #[test]
