@@ -5,12 +5,16 @@ use crate::constant;
 /// One for each of the top five bits that a mantissa in [1/4, 1) can have.
 const CELLS: usize = 24;
 
+/// What the table starts with: on [`NO_COUNT`] the compiler sees that nothing below 8 is looked up, and elsewhere 8 lines
+/// of zero spare a comparison.
+const FIRST: usize = if NO_COUNT { 8 } else { 0 };
+
 /// The line beside `1/sqrt(y)` over each cell: its value at the cell's start in Q23, and in the low eight bits its fall
 /// over the cell in Q11. What the fall adds to the value is far below the seed's last bit.
-const LINES: [u32; CELLS] = lines();
+const LINES: [u32; CELLS + 8 - FIRST] = lines();
 
 /// Whether the machine has no instruction that counts leading zeros: Cortex-M0 and M0+.
-const NO_COUNT: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+pub(super) const NO_COUNT: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// `half` and `2^(31 - half) / sqrt(square) 2^half`, which lies from `2^15` to `2^16`, of a `square` above 0:
 /// `half` is how often it is to be doubled twice to be at least `2^30`.
@@ -20,7 +24,6 @@ const NO_COUNT: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) fn reciprocal_root(square: u32) -> (u32, u32) {
-    let square = square.max(1);
     let (half, mantissa) = if NO_COUNT { compared(square) } else { counted(square) };
     (half, root(mantissa))
 }
@@ -49,20 +52,20 @@ const fn compared(mut square: u32) -> (u32, u32) {
 /// `2^31 / sqrt(m)` of `m` in `[2^30, 2^32)`.
 #[inline(always)]
 fn root(m: u32) -> u32 {
-    let line = LINES.get((m >> 27).wrapping_sub(8) as usize).copied().unwrap_or_default();
+    let line = LINES.get((m >> 27).wrapping_sub(FIRST as u32) as usize).copied().unwrap_or_default();
     // In Q11, so that the square is exact in 24 bits.
     let seed = line.wrapping_sub((line & 0xff).wrapping_mul((m << 5) >> 12)) >> 20;
     // How much y seed^2 is above 1. It is under 2^-9, hence in Q40 a number of 32 bits, of which 16 will do.
     let above = (m >> 14).wrapping_mul(seed.wrapping_mul(seed)) as i32 >> 16;
-    let fall = (above.wrapping_mul(seed as i32) >> 20).wrapping_add(1) >> 1;
-    (seed << 4).wrapping_sub(fall as u32)
+    let fall = above.wrapping_mul(seed as i32) >> 20;
+    (seed << 5).wrapping_sub(fall as u32) >> 1
 }
 
-const fn lines() -> [u32; CELLS] {
-    let mut lines = [0; CELLS];
-    let mut cell = 0;
-    while cell < CELLS {
-        lines[cell] = line((cell + 8) as f64 / 32.0, (cell + 9) as f64 / 32.0);
+const fn lines() -> [u32; CELLS + 8 - FIRST] {
+    let mut lines = [0; CELLS + 8 - FIRST];
+    let mut cell = 8;
+    while cell < CELLS + 8 {
+        lines[cell - FIRST] = line(cell as f64 / 32.0, (cell + 1) as f64 / 32.0);
         cell += 1;
     }
     lines
