@@ -147,8 +147,8 @@ impl Dots {
     #[inline]
     fn fine_projection(&self) -> i32 {
         let part = self.along.wrapping_add(self.length);
-        // What rounding leaves a length to lack, and room for the product where it is more.
-        let lacking = ONE.wrapping_sub(self.length).clamp(-(1 << 16), 1 << 16);
+        // What rounding leaves a length to lack; where it is more, some other such number, which has room as well.
+        let lacking = i32::from(ONE.wrapping_sub(self.length) as i16);
         (part << 2).wrapping_add((part >> 12).wrapping_mul(lacking) >> 14).wrapping_sub(ONE << 2)
     }
 
