@@ -90,7 +90,7 @@ pub fn normalize_q14(v: [i16; 3]) -> [i16; 3] {
     each(specular::normalize(q14(v)), I2F14::to_bits)
 }
 
-/// [`cap`](specular::cap) in Q30. Worst error at the Sun 1.4e-9 rad, the step of Q30 being 9.3e-10.
+/// [`cap`](specular::cap) in Q30. Worst error at the Sun 1.5e-9 rad, the step of Q30 being 9.3e-10.
 pub fn cap_q30(l: [i32; 3], r: [i32; 3], light: &SphereQ30) -> [i32; 3] {
     each(specular::cap(q30(l), q30(r), light), I2F30::to_bits)
 }

@@ -18,7 +18,7 @@ const HEADER: &str = "function,format,by,case,inputs,\
     m3_median,m3_worst,m3_stack,m3_text,m3_rodata,\
     m4_median,m4_worst,m4_stack,m4_text,m4_rodata,note";
 
-/// What the smallest image may take.
+/// What the smallest image may take on the smallest core.
 const FLASH: u32 = 1024;
 
 fn main() -> ExitCode {
@@ -28,7 +28,7 @@ fn main() -> ExitCode {
     for target in TARGETS {
         let [text, rodata] = elf::bytes(&fresh.join(target).join("flash.elf"));
         println!("{target}: cap_q14 and normalize_q14 together {text} + {rodata} bytes");
-        if text + rodata >= FLASH {
+        if target == TARGETS[0] && text + rodata >= FLASH {
             eprintln!("which has to be below {FLASH}");
             return ExitCode::FAILURE;
         }
