@@ -162,18 +162,14 @@ impl<'a, S: Scalar> Cone<'a, S> {
         if second > first * S::constant(APART) { self.until_it_stays(root) } else { root }
     }
 
-    /// Steps until one changes nothing, or there have been [`MORE_STEPS`], counting those that would go to and fro
-    /// between two roots without taking them.
+    /// Steps until one changes nothing or comes back to the root before, or there have been [`MORE_STEPS`].
     #[inline]
     fn until_it_stays(&self, mut root: S) -> S {
         let mut previous = root;
-        for step in 0..MORE_STEPS {
+        for _ in 0..MORE_STEPS {
             let next = self.step(root);
-            if next == root {
+            if next == root || next == previous {
                 break;
-            }
-            if next == previous {
-                return if MORE_STEPS.wrapping_sub(step) % 2 == 0 { root } else { next };
             }
             (previous, root) = (root, next);
         }

@@ -161,17 +161,8 @@ pub fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Ju
         worst_angle: sunglint::oracle::angle_between(l, r),
         worst_l: bits(format, &l),
         worst_r: bits(format, &r),
-        frontier: false,
-        total_frontier: false,
-        m0_instructions: None,
-        m0_frontier: false,
-        m0_total_frontier: false,
-        m3_instructions: None,
-        m3_frontier: false,
-        m3_total_frontier: false,
-        m4_instructions: None,
-        m4_frontier: false,
-        m4_total_frontier: false,
+        // Frontiers and counts come later.
+        ..Row::default()
     }
 }
 

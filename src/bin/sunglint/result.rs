@@ -7,7 +7,7 @@ use crate::chip::ChipRow;
 use crate::rivals::Rivals;
 
 /// One method in one number format under one light.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Row {
     /// Name of the light, such as `Sun from Earth`.
     pub light: String,

@@ -38,17 +38,7 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         worst_angle: 0.01,
         worst_l: "0x3f800000 00000000 00000000".to_owned(),
         worst_r: "0x3f800000 3c000000 00000000".to_owned(),
-        frontier: false,
-        total_frontier: false,
-        m0_instructions: None,
-        m0_frontier: false,
-        m0_total_frontier: false,
-        m3_instructions: None,
-        m3_frontier: false,
-        m3_total_frontier: false,
-        m4_instructions: None,
-        m4_frontier: false,
-        m4_total_frontier: false,
+        ..Row::default()
     }
 }
 

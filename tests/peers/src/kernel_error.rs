@@ -4,6 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use fixed::types::{I2F14, I2F30, I3F29, I16F16, U16F16};
 use sunglint::oracle::angle_between;
+use sunglint::trial::chip::peers::Peer;
 use sunglint::trial::{Found, Method, input};
 use sunglint::{Real, SUN};
 
@@ -30,30 +31,9 @@ const SAMPLES: usize = 200_000;
 /// From here on the root of `cordic` never returns.
 pub const CORDIC_HANGS: f64 = 16384.0;
 
-/// A kernel's worst error.
-pub struct Row {
-    /// What is computed, by the name of its row of counts.
-    pub function: &'static str,
-    /// The format.
-    pub format: &'static str,
-    /// The author and version.
-    pub by: &'static str,
-    /// The worst error.
-    pub error: f64,
-    /// Radians, units of the last place, or absolute.
-    pub unit: &'static str,
-    /// Which inputs.
-    pub how: &'static str,
-    /// What else there is to say.
-    pub note: &'static str,
-}
-
-impl Row {
-    /// A line of the CSV.
-    pub fn line(&self) -> String {
-        let Self { function, format, by, error, unit, how, note } = self;
-        format!("{function},{format},{by},{error:.3e},{unit},{how},{note}")
-    }
+/// A line of the CSV.
+pub fn line(Peer { function, format, by, error, unit, how, note }: &Peer) -> String {
+    format!("{function},{format},{by},{error:.3e},{unit},{how},{note}")
 }
 
 const RANDOM: &str = "200 000 random";
@@ -61,11 +41,11 @@ const LEVELS: &str = "all below 1; every 61st";
 const EVERY_4001ST: &str = "every 4001st";
 
 /// All of them.
-pub fn rows() -> Vec<Row> {
+pub fn rows() -> Vec<Peer> {
     let approximate = "by the exponent's bits: lengths are off by up to 3.4 %";
-    let root = |format, by, error, how, note| Row { function: "root", format, by, error, unit: "ULP", how, note };
+    let root = |format, by, error, how, note| Peer { function: "root", format, by, error, unit: "ULP", how, note };
     let turn =
-        |format, by, error, how, note| Row { function: "sin_cos", format, by, error, unit: "absolute", how, note };
+        |format, by, error, how, note| Peer { function: "sin_cos", format, by, error, unit: "absolute", how, note };
     of_floats::<Libm>(LIBM, "")
         .into_iter()
         .chain(of_floats::<Micromath>(MICROMATH, approximate))
@@ -74,7 +54,7 @@ pub fn rows() -> Vec<Row> {
         .chain(of_fixed::<I16F16>("wraps from a length of 181 on"))
         .chain([
             root("U16F16", FIXED, level_root(1.0, operators::root), LEVELS, "floors"),
-            Row { function: "reciprocal root", ..root("U16F16", FIXED, level_reciprocal(), LEVELS, "of 2^-16 on") },
+            Peer { function: "reciprocal root", ..root("U16F16", FIXED, level_reciprocal(), LEVELS, "of 2^-16 on") },
             root(
                 "I16F16",
                 CORDIC,
@@ -88,8 +68,8 @@ pub fn rows() -> Vec<Row> {
         .collect()
 }
 
-fn of_floats<R: Roots>(by: &'static str, note: &'static str) -> Vec<Row> {
-    let row = |function, error, unit, how| Row { function, format: "f32", by, error, unit, how, note };
+fn of_floats<R: Roots>(by: &'static str, note: &'static str) -> Vec<Peer> {
+    let row = |function, error, unit, how| Peer { function, format: "f32", by, error, unit, how, note };
     let [normalize] = vector_error::normalize([&|v| floats::normalize::<R>(&v)]);
     let direction = |method, call: fn(&floats::Ray) -> [f32; 3]| {
         let [error] = vector_error::direction(method, [&|l, r| call(&[l, r])]);
@@ -115,8 +95,8 @@ fn float_error(call: fn(&f32) -> f32, truth: fn(f64) -> f64) -> f64 {
     (1_f32.to_bits()..4_f32.to_bits()).map(error).fold(0.0, f64::max)
 }
 
-fn of_fixed<T: Real + Number>(note: &'static str) -> Vec<Row> {
-    let row = |function, error, unit| Row { function, format: T::NAME, by: FIXED, error, unit, how: RANDOM, note };
+fn of_fixed<T: Real + Number>(note: &'static str) -> Vec<Peer> {
+    let row = |function, error, unit| Peer { function, format: T::NAME, by: FIXED, error, unit, how: RANDOM, note };
     let (mut normalize, mut dot) = (Found::<3>::new(), Found::<3>::new());
     let one = T::from_f64(1.0).to_f64();
     // The step of the format, which is that of the dot product by `*`.

@@ -12,7 +12,7 @@ fn main() {
     }
     if std::env::args().any(|argument| argument == "--errors") {
         println!("{}", kernel_error::HEADER);
-        kernel_error::rows().iter().for_each(|row| println!("{}", row.line()));
+        kernel_error::rows().iter().for_each(|row| println!("{}", kernel_error::line(row)));
         return;
     }
     println!("{}", beside_glam());

@@ -13,7 +13,7 @@ const COMMITTED: &str = include_str!("../../../src/trial/chip/peers.csv");
 
 #[test]
 fn errors_are_as_committed() {
-    let computed: Vec<_> = kernel_error::rows().iter().map(kernel_error::Row::line).collect();
+    let computed: Vec<_> = kernel_error::rows().iter().map(kernel_error::line).collect();
     assert_eq!(COMMITTED.lines().next(), Some(kernel_error::HEADER));
     assert_eq!(COMMITTED.lines().skip(1).collect::<Vec<_>>(), computed);
 }

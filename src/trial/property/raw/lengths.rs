@@ -13,13 +13,8 @@ use crate::trial::property::{Broken, Case, inputs};
 const STEPS: [f64; 4] = [0.88, 0.94, 3.2, 2.7];
 
 /// What of an error of [`cap`] is due to the length, where the code by hand takes it to be 1: that share of what the
-/// length lacks of 1 or is more.
-fn share_of_length(format: Format) -> f64 {
-    match format {
-        Format::I2F14 | Format::I2F30 => 1.6,
-        _ => 0.0,
-    }
-}
+/// length lacks of 1 or is more. 1.12 times the worst of 10 million cases, I2F30's; I2F14's is 1.36.
+const SHARE_OF_LENGTH: f64 = 1.6;
 
 /// Reads a case and says what it breaks.
 pub(super) fn hold(draw: &mut Draw<'_>) -> Result<(), Broken> {
@@ -27,10 +22,11 @@ pub(super) fn hold(draw: &mut Draw<'_>) -> Result<(), Broken> {
     let case = Case { format: long.format, inputs: inputs([long.l, long.r, [long.light.sin(), 0.0, 0.0]]) };
     let names =
         ["reflect of long vectors", "normalize of long vectors", "factored of long vectors", "cap of long vectors"];
-    for ((name, steps), allowed) in names.into_iter().zip(long.format.visit(long)).zip(STEPS) {
+    let Found { steps, share } = long.format.visit(long);
+    for ((name, steps), allowed) in names.into_iter().zip(steps).zip(STEPS) {
         case.at_most(name, steps, allowed)?;
     }
-    Ok(())
+    case.at_most("cap of long vectors, beside their length", share, SHARE_OF_LENGTH)
 }
 
 #[derive(Clone, Copy)]
@@ -58,11 +54,18 @@ fn ratio(ratio: f64) -> DistantLight {
     DistantLight::from_ratio(ratio.clamp(0.0, 1.0)).unwrap_or(crate::light::SUN)
 }
 
-impl Visitor for Long {
-    type Output = [f64; 4];
+/// How far off the functions are.
+struct Found {
+    /// Of [`STEPS`].
+    steps: [f64; 4],
+    /// What of [`cap`] is beyond them, by code by hand, as a share of what the length is off.
+    share: f64,
+}
 
-    /// Steps by which each function is off.
-    fn visit<T: Real>(self) -> [f64; 4] {
+impl Visitor for Long {
+    type Output = Found;
+
+    fn visit<T: Real>(self) -> Found {
         let Self { format, light, l, r } = self;
         let (l, r) = (l.map(T::from_f64), r.map(T::from_f64));
         let (a, b) = (l.map(T::to_f64), r.map(T::to_f64));
@@ -80,18 +83,17 @@ impl Visitor for Long {
         let opposite = a.into_iter().zip(b).all(|(a, b)| (a + b).abs() < 16.0 * format.step());
         // Of long vectors the answer jumps at a right angle, and f64, which rounds, may see it on the other side.
         let right = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).abs() < 1e-15;
+        let capped = if opposite || right { 0.0 } else { capped.into_iter().fold(f64::INFINITY, f64::min) };
         let off = libm::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) - 1.0;
-        let by_length = share_of_length(format) * off.abs() / format.step();
-        [
+        let by_hand = matches!(format, Format::I2F14 | Format::I2F30);
+        let beyond = if by_hand { (capped - STEPS[3]).max(0.0) } else { 0.0 };
+        let steps = [
             apart(reflect(l, r), reflect(a, b)),
             apart(normalize(l), normalize(a)),
             apart(factored(l, r, &sphere), factored(a, b, &exact)),
-            if opposite || right {
-                0.0
-            } else {
-                (capped.into_iter().fold(f64::INFINITY, f64::min) - by_length).max(0.0)
-            },
-        ]
+            if by_hand { capped.min(STEPS[3]) } else { capped },
+        ];
+        Found { steps, share: beyond * format.step() / off.abs().max(format.step()) }
     }
 }
 
@@ -100,21 +102,24 @@ mod tests {
     use oorandom::Rand64;
 
     use super::*;
+    use crate::trial::found::worse;
 
     #[test]
     fn no_budget_is_four_times_what_is_found() {
         let mut source = Rand64::new(9);
-        let mut worst = [0.0_f64; 4];
+        let (mut worst, mut most) = ([0.0_f64; 4], 0.0_f64);
         for _ in 0..300_000 {
             let mut bytes = [0_u8; 128];
             bytes.chunks_exact_mut(8).for_each(|word| word.copy_from_slice(&source.rand_u64().to_le_bytes()));
             let long = Long::drawn(&mut Draw::new(&bytes));
-            for (worst, steps) in worst.iter_mut().zip(long.format.visit(long)) {
-                *worst = worst.max(steps);
+            let Found { steps, share } = long.format.visit(long);
+            for (worst, steps) in worst.iter_mut().zip(steps) {
+                *worst = worse(*worst, steps);
             }
+            most = worse(most, share);
         }
-        println!("{worst:?}");
-        for (worst, allowed) in worst.into_iter().zip(STEPS) {
+        println!("{worst:?} {most}");
+        for (worst, allowed) in worst.into_iter().zip(STEPS).chain([(most, SHARE_OF_LENGTH)]) {
             assert!((allowed / 4.0..=allowed).contains(&worst), "{worst} of {allowed}");
         }
     }
