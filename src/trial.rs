@@ -9,6 +9,7 @@ pub mod chip;
 pub mod diffuse;
 pub mod digest;
 pub mod draw;
+pub mod emulated;
 pub mod format;
 pub mod formula;
 pub mod found;

@@ -87,10 +87,7 @@ impl Visitor for Judge<'_> {
             cost: f64::NAN,
             cost_low: f64::NAN,
             cost_high: f64::NAN,
-            error_max: f64::NAN,
-            error_rms: f64::NAN,
-            samples: 0,
-            worst_input: String::new(),
+            ..KernelRow::default()
         };
         with_errors(row, measured)
     }

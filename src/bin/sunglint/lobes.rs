@@ -88,7 +88,6 @@ fn rows<const N: usize>(case: &Case) -> [LobeRow; Shading::ALL.len()] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::Parser;
 
     #[test]
     fn names_say_the_ratio() {

@@ -1,7 +1,9 @@
 //! The host tool `sunglint`: measures every method in every number format and shows the result.
 //!
-//! Exit codes: 0 where all went well, 1 where a file could not be written, 2 for a wrong command line.
+//! Exit codes: 0 where all went well, 1 where a file could not be written, 2 for a wrong command line, 130 where it was
+//! interrupted.
 
+mod anchors;
 mod author;
 mod axis;
 mod call;
@@ -9,9 +11,12 @@ mod chart;
 mod chip;
 mod chip_chart;
 mod clock;
+mod columns;
+mod curves;
 mod direction_panel;
 mod directions;
 mod error_kind;
+mod failure;
 mod field;
 mod frame;
 mod frontier;
@@ -22,6 +27,7 @@ mod key;
 mod labels;
 mod lettering;
 mod lines;
+mod list;
 mod lobe_chart;
 mod lobes;
 mod marks;
@@ -32,19 +38,25 @@ mod options;
 mod output;
 mod page;
 mod panel;
+mod pictures;
 mod pixel_error;
 mod pixel_panel;
 mod pixel_q14;
 mod pixels;
+mod presets;
 mod quantities;
+mod repro;
 mod result;
 mod rivals;
 #[cfg(test)]
 mod sample;
 mod sheet;
+mod snippets;
+mod sweep;
 mod table;
 mod ticks;
 mod workers;
+mod worst;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -53,17 +65,29 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::options::Options;
-use crate::output::WriteError;
+use crate::failure::Failure;
+use crate::options::{Cli, Command, Options};
 
 fn main() -> ExitCode {
-    let options = Options::parse();
-    refuse_unknown_light(&options);
-    match study(&options) {
+    let Cli { command, options } = Cli::parse();
+    let done = match command.unwrap_or(Command::Chart(options)) {
+        Command::Chart(options) => chart(&options),
+        Command::Worst(arguments) => worst::run(&arguments),
+        Command::Repro(arguments) => repro::run(&arguments),
+        Command::Render(arguments) => pictures::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Preset(arguments) => presets::run(&arguments),
+        Command::Snippet(arguments) => snippets::run(&arguments),
+        Command::List => {
+            print(&list::text());
+            Ok(())
+        }
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            let _ = writeln!(io::stderr(), "sunglint: {error}");
-            ExitCode::FAILURE
+        Err(failure) => {
+            let _ = writeln!(io::stderr(), "sunglint: {failure}");
+            ExitCode::from(failure.code())
         }
     }
 }
@@ -74,12 +98,13 @@ fn refuse_unknown_light(options: &Options) {
     if !names.iter().any(|name| options.wants(name)) {
         let asked = options.light.as_deref().unwrap_or_default();
         let message = format!("no light is named '{asked}'; there are: {}", names.join("; "));
-        Options::command().error(ErrorKind::InvalidValue, message).exit();
+        Cli::command().error(ErrorKind::InvalidValue, message).exit();
     }
 }
 
 /// The main job: measure, print, write.
-fn study(options: &Options) -> Result<(), WriteError> {
+fn chart(options: &Options) -> Result<(), Failure> {
+    refuse_unknown_light(options);
     output::prepare(&options.out)?;
     let progress = progress(options);
     let mut study = measure::run(options, &progress);
@@ -94,7 +119,7 @@ fn study(options: &Options) -> Result<(), WriteError> {
 }
 
 /// A bar on stderr, which hides itself where stderr is no terminal.
-fn progress(options: &Options) -> ProgressBar {
+pub fn progress(options: &Options) -> ProgressBar {
     if options.quiet {
         return ProgressBar::hidden();
     }
@@ -103,6 +128,6 @@ fn progress(options: &Options) -> ProgressBar {
 }
 
 /// Prints a line. A reader that has gone away, such as `head`, is no reason to lose the files.
-fn print(text: &str) {
+pub fn print(text: &str) {
     let _ = writeln!(io::stdout().lock(), "{text}");
 }

@@ -6,7 +6,9 @@ use sunglint::trial::Format;
 use crate::options::Options;
 use crate::result::Study;
 use crate::rivals::{self, Rivals};
-use crate::{chip, directions, kernels, lobes, pixel_q14, pixels, quantities};
+use crate::{
+    anchors, chip, curves, directions, kernels, lobes, pictures, pixel_q14, pixels, presets, quantities, sweep,
+};
 
 /// Names of the lights that can be asked for: of directions, of lit pixels and of whole highlights.
 pub fn light_names() -> Vec<&'static str> {
@@ -17,7 +19,15 @@ pub fn light_names() -> Vec<&'static str> {
 pub fn run(options: &Options, progress: &ProgressBar) -> Study {
     let steps = [directions::steps(options), quantities::COUNT, pixels::steps(options), kernels::steps(options)];
     let rivals = rivals::steps(options) + pixel_q14::steps(options) + rivals::kernels::STEPS;
-    progress.set_length((steps.into_iter().sum::<usize>() + lobes::steps(options) + rivals) as u64);
+    let beside = [
+        lobes::steps(options),
+        anchors::steps(options),
+        curves::steps(options),
+        sweep::steps(options),
+        presets::steps(options),
+        pictures::steps(options),
+    ];
+    progress.set_length((steps.into_iter().chain(beside).sum::<usize>() + rivals) as u64);
     let mut study = Study {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         seed: options.seed,
@@ -28,14 +38,19 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
         pixels: pixels::errors(options, progress),
         lobes: lobes::measure(options, progress),
         kernels: kernels::errors(options, progress),
-        chip: Vec::new(),
-        rivals: Rivals::default(),
+        curves: curves::measure(options, progress),
+        sweep: sweep::measure(options, progress),
+        presets: presets::measure(options, progress),
+        pictures: pictures::draw(options, progress),
+        ..Study::default()
     };
     study.rivals = Rivals {
         directions: rivals::directions(&study.rows, options, progress),
         pixels: pixel_q14::errors(&study.pixels, options, progress),
         kernels: rivals::kernels::errors(&study.kernels, options, progress),
     };
+    // From here on one thing at a time: these are times.
+    study.anchors = anchors::measure(options, progress);
     directions::add_costs(&mut study.rows, options, progress);
     pixels::add_costs(&mut study.pixels, options, progress);
     pixel_q14::add_costs(&mut study.rivals.pixels, options, progress);

@@ -2,23 +2,56 @@
 
 use std::path::PathBuf;
 
-use clap::Parser;
+use clap::{Args, Parser, Subcommand};
+use sunglint::trial::{Format, Light, lights};
+
+use crate::{pictures, presets, repro, snippets, sweep, worst};
 
 /// Seed of the random directions where none is given.
 pub const DEFAULT_SEED: u64 = 1;
 
-/// Measures the error and the cost of every method in every number format, prints the result and
-/// writes results.csv, pixels.csv, lobes.csv, kernels.csv, chip.csv, results.json, chart.svg, chips.svg,
-/// pixels.svg and report.html. Instructions on microcontrollers are not measured but taken from the table
-/// that tests/firmware/run has counted.
+/// The command line.
 #[derive(Clone, Debug, Parser)]
-#[command(name = "sunglint", version)]
+#[command(name = "sunglint", version, about = "Error against cost of every lighting method in every number format")]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct Cli {
+    /// What to do; `chart` where nothing is named.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// Options of `chart`.
+    #[command(flatten)]
+    pub options: Options,
+}
+
+/// What to do.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Command {
+    /// Measure, print the tables and write the report with all its files (the default)
+    Chart(Options),
+    /// Print the worst input of every method, each with the command that computes it again
+    Worst(worst::Arguments),
+    /// Compute one input again: the answer, the truth and the error
+    Repro(repro::Arguments),
+    /// Draw lit spheres, the truth and where the error sits, as PNG
+    Render(pictures::Arguments),
+    /// How many bits are enough? Try word lengths that types have and that none has
+    Sweep(sweep::Arguments),
+    /// Run failures that were reported elsewhere, and their cures
+    Preset(presets::Arguments),
+    /// Print a recommended method in GLSL, HLSL, WGSL or FPCore
+    Snippet(snippets::Arguments),
+    /// List methods, formats, lights, cases, presets and snippets
+    List,
+}
+
+/// What is measured, and where it goes.
+#[derive(Args, Clone, Debug)]
 pub struct Options {
     /// Folder to write to; made if it is missing
     #[arg(long, value_name = "DIR", default_value = "target/sunglint")]
     pub out: PathBuf,
 
-    /// Try fewer directions and pixels, with coarser integrals: four seconds in place of some thirty, less of the worst
+    /// Try fewer directions and pixels, with coarser integrals: a few seconds in place of a minute, less of the worst
     /// cases
     #[arg(long)]
     pub quick: bool,
@@ -38,6 +71,27 @@ pub struct Options {
 }
 
 impl Options {
+    /// Those of a command line without a subcommand.
+    #[cfg(test)]
+    pub fn parse_from<const N: usize>(arguments: [&str; N]) -> Self {
+        Cli::parse_from(arguments).options
+    }
+
+    /// The lights of the directions.
+    pub fn lights(&self) -> Vec<Light> {
+        lights::STUDY.into_iter().filter(|light| self.wants(light.name)).collect()
+    }
+
+    /// Whether the method of this name is to be measured.
+    pub fn wants_method(&self, _method: &str) -> bool {
+        true
+    }
+
+    /// Whether `format` is to be measured.
+    pub fn wants_format(&self, _format: Format) -> bool {
+        true
+    }
+
     /// Whether `light` is to be measured.
     pub fn wants(&self, light: &str) -> bool {
         let holds = |name: &String| light.to_lowercase().contains(&name.to_lowercase());
@@ -52,7 +106,7 @@ mod tests {
 
     #[test]
     fn the_command_line_is_sound() {
-        Options::command().debug_assert();
+        Cli::command().debug_assert();
     }
 
     #[test]

@@ -10,7 +10,7 @@ use serde::Serialize;
 use tempfile::{Builder, NamedTempFile};
 
 use crate::result::Study;
-use crate::{chart, chip_chart, page};
+use crate::{chart, chip_chart, columns, page, snippets};
 
 /// A file or folder that could not be written, and why.
 #[derive(Debug)]
@@ -44,6 +44,17 @@ pub fn write(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
     table(&out.join("lobes.csv"), &study.lobes)?;
     table(&out.join("kernels.csv"), &study.kernels)?;
     table(&out.join("chip.csv"), &study.chip)?;
+    table(&out.join("anchors.csv"), &study.anchors)?;
+    table(&out.join("curves.csv"), &study.curves)?;
+    table(&out.join("sweep.csv"), &study.sweep)?;
+    table(&out.join("presets.csv"), &study.presets)?;
+    table(&out.join("columns.csv"), columns::ALL)?;
+    for picture in &study.pictures {
+        beneath(out, "pictures", &format!("{}.png", picture.name), &picture.png)?;
+    }
+    for snippet in snippets::ALL {
+        beneath(out, "snippets", snippet.file, snippet.source.as_bytes())?;
+    }
     replace(&json_path, &json)?;
     replace(&out.join("chart.svg"), chart::both_errors(study).as_bytes())?;
     replace(&out.join("chips.svg"), chip_chart::of_cores(study).as_bytes())?;
@@ -55,6 +66,13 @@ pub fn write(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
 
 fn failure(path: &Path, cause: impl Into<Box<dyn Error + Send + Sync>>) -> WriteError {
     WriteError { path: path.to_owned(), cause: cause.into() }
+}
+
+/// Writes a file into the folder `name` of `out`, which is made if it is missing.
+fn beneath(out: &Path, name: &str, file: &str, content: &[u8]) -> Result<(), WriteError> {
+    let folder = out.join(name);
+    fs::create_dir_all(&folder).map_err(|cause| failure(&folder, cause))?;
+    replace(&folder.join(file), content)
 }
 
 /// Writes `rows` as CSV.
@@ -73,7 +91,7 @@ fn csv<R: Serialize>(rows: &[R]) -> Result<Vec<u8>, Box<dyn Error + Send + Sync>
 }
 
 /// Writes `content` next to `path` and renames it, so that no reader meets half a file.
-fn replace(path: &Path, content: &[u8]) -> Result<(), WriteError> {
+pub fn replace(path: &Path, content: &[u8]) -> Result<(), WriteError> {
     let folder = path.parent().unwrap_or(Path::new("."));
     let written = || {
         let mut file = temporary(folder)?;
@@ -121,12 +139,17 @@ mod tests {
         fs::read_to_string(folder.path().join(name)).expect("a file")
     }
 
-    const FILES: [&str; 10] = [
+    const FILES: [&str; 15] = [
         "results.csv",
         "pixels.csv",
         "lobes.csv",
         "kernels.csv",
         "chip.csv",
+        "anchors.csv",
+        "curves.csv",
+        "sweep.csv",
+        "presets.csv",
+        "columns.csv",
         "results.json",
         "chart.svg",
         "chips.svg",

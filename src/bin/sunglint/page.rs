@@ -6,8 +6,13 @@ mod costs;
 mod directions;
 mod kernels;
 mod lobes;
+mod methods;
+mod pictures;
 mod pixels;
+mod presets;
 mod quantities;
+mod sweep;
+mod take_away;
 
 pub use cells::escape;
 
@@ -98,6 +103,19 @@ fn sections(study: &Study) -> Vec<Section> {
         let title = "Whole highlights: model error of every method";
         sections.push(section("highlights", Some("Whole highlights"), title, lobes::all(study)));
     }
+    let more = [
+        section("pictures", Some("Pictures"), "Pictures: lit spheres, and where the error sits", pictures::all(study)),
+        section("method-pages", Some("Every method"), "Every method", methods::all(study)),
+        section("bits", Some("How many bits?"), "How many bits do I need?", sweep::all(study)),
+        section(
+            "presets",
+            Some("Reported failures"),
+            "Failures that were reported, and their cures",
+            presets::all(study),
+        ),
+        section("take-away", Some("Take it away"), "Take it away: files, columns, source code", take_away::all()),
+    ];
+    sections.extend(more.into_iter().filter(|section| !section.content.is_empty()));
     sections.extend([
         section("parts", Some("Building blocks"), "Building blocks", kernels::all(study)),
         section("chip", Some("On the chip"), "On the chip: instructions, stack and bytes", chip::all(study)),

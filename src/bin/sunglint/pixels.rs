@@ -191,10 +191,8 @@ impl Visitor for Judge<'_> {
             samples: 0,
             model_samples: model.samples,
             failure: None,
-            worst_n: String::new(),
-            worst_v: String::new(),
-            worst_l: String::new(),
-            frontier: false,
+            // The arithmetic comes next, costs later.
+            ..PixelRow::default()
         };
         with_arithmetic(row, format, &error)
     }

@@ -2,9 +2,27 @@
 
 use serde::Serialize;
 
+use crate::anchors::AnchorRow;
 use crate::author;
 use crate::chip::ChipRow;
+use crate::curves::CurveRow;
+use crate::pictures::Picture;
+use crate::presets::PresetRow;
 use crate::rivals::Rivals;
+use crate::sweep::SweepRow;
+
+/// What a bound of an error rests on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Bound {
+    /// Every input has been tried.
+    Exhaustive,
+    /// A search that climbs from the worst of a million inputs.
+    Searched,
+    /// The inputs of this run, from its seed, and hard ones.
+    #[default]
+    Sampled,
+}
 
 /// One method in one number format under one light.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -60,6 +78,26 @@ pub struct Row {
     pub worst_l: String,
     /// Raw bits of the mirror direction at the worst arithmetic error, in hexadecimal.
     pub worst_r: String,
+    /// 99th percentile of the arithmetic error, in radians.
+    pub error_p99: f64,
+    /// Mean of the signed arithmetic error, in radians: how much farther from the light's centre the answer lies than
+    /// the exact one.
+    pub error_bias: f64,
+    /// Worst error of the drawn edge, in per cent of the angular radius: of rays within ten radii of the light, how much
+    /// farther out or in the answer lies than the nearest point of the disc.
+    pub edge_max: f64,
+    /// Root mean square of that.
+    pub edge_rms: f64,
+    /// Time of a call that waits for the answer of the one before, in the unit of `cost`; median over the rounds.
+    pub latency: f64,
+    /// What `bound_max` rests on.
+    pub bound: Bound,
+    /// The worst arithmetic error known of this method, format and light, in radians.
+    pub bound_max: f64,
+    /// How many inputs that took; those of this run where it is sampled.
+    pub bound_samples: u64,
+    /// The command that computes the worst known input again.
+    pub repro: String,
     /// On the frontier of arithmetic error against cost, among this light's rows.
     pub frontier: bool,
     /// On the frontier of total error against cost, among this light's rows.
@@ -105,7 +143,7 @@ pub struct QuantityRow {
 
 /// One highlight method in one number format on one surface under one light. Errors are relative to the whole
 /// pixel's true value.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct PixelRow {
     /// Light and roughness, such as `Sun, alpha 0.001`.
     pub case: String,
@@ -155,6 +193,29 @@ pub struct PixelRow {
     pub worst_v: String,
     /// Raw bits of the direction to the light there.
     pub worst_l: String,
+    /// 99th percentile of the arithmetic error's size.
+    pub error_p99: f64,
+    /// Mean of the signed arithmetic error: above zero where the pixel is too bright.
+    pub error_bias: f64,
+    /// Worst total error in steps of an 8-bit display: computed against the integral over the disc, both as sRGB, with a
+    /// white surface that faces the light at 1 and whatever is brighter clipped.
+    pub steps8_max: f64,
+    /// Root mean square of that.
+    pub steps8_rms: f64,
+    /// The same in steps of a 10-bit display.
+    pub steps10_max: f64,
+    /// Root mean square of that.
+    pub steps10_rms: f64,
+    /// Time of a pixel that waits for the one before, in the unit of `cost`; median over the rounds.
+    pub latency: f64,
+    /// What `bound_max` rests on.
+    pub bound: Bound,
+    /// The worst arithmetic error known of this method, format and case.
+    pub bound_max: f64,
+    /// How many inputs that took; those of this run where it is sampled.
+    pub bound_samples: u64,
+    /// The command that computes the worst known input again.
+    pub repro: String,
     /// On the frontier of total root mean square against cost, among this case's rows; totals count as equal where
     /// their first two digits are.
     pub frontier: bool,
@@ -186,7 +247,7 @@ pub struct LobeRow {
 }
 
 /// One building block in one number format.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct KernelRow {
     /// What it is for, such as `Colour`.
     pub group: String,
@@ -213,10 +274,22 @@ pub struct KernelRow {
     pub samples: u64,
     /// Input at the worst error: names and exact values.
     pub worst_input: String,
+    /// 99th percentile of the error.
+    pub error_p99: f64,
+    /// Mean of the signed error, where it has a sign; else nothing.
+    pub error_bias: Option<f64>,
+    /// What `bound_max` rests on.
+    pub bound: Bound,
+    /// The worst error known of this building block in this format.
+    pub bound_max: f64,
+    /// How many inputs that took; those of this run where it is sampled.
+    pub bound_samples: u64,
+    /// The command that computes the worst known input again.
+    pub repro: String,
 }
 
 /// Everything that a run found.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Study {
     /// Version of the crate.
     pub version: String,
@@ -240,4 +313,15 @@ pub struct Study {
     pub kernels: Vec<KernelRow>,
     /// One row per function, format, author and case that was counted on microcontrollers.
     pub chip: Vec<ChipRow>,
+    /// One row per light or case and format: what nothing can be cheaper or more exact than.
+    pub anchors: Vec<AnchorRow>,
+    /// One row per method, format and place along an angle or a ratio.
+    pub curves: Vec<CurveRow>,
+    /// One row per method and word: how many bits are enough.
+    pub sweep: Vec<SweepRow>,
+    /// One row per reported failure and form.
+    pub presets: Vec<PresetRow>,
+    /// Lit spheres and where their errors sit.
+    #[serde(skip)]
+    pub pictures: Vec<Picture>,
 }

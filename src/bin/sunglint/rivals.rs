@@ -138,7 +138,6 @@ mod tests {
     use super::*;
     use crate::author::is_peer;
     use crate::sample;
-    use clap::Parser;
 
     fn under_the_sun() -> Vec<Row> {
         let options = Options::parse_from(["sunglint", "--quick", "--light", SUN]);

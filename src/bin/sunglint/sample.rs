@@ -44,19 +44,7 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
 
 /// A study of `rows` alone.
 pub fn study(rows: Vec<Row>) -> Study {
-    Study {
-        version: "0.1.0".to_owned(),
-        seed: 1,
-        light: None,
-        quick: true,
-        rows,
-        quantities: Vec::new(),
-        pixels: Vec::new(),
-        lobes: Vec::new(),
-        kernels: Vec::new(),
-        chip: Vec::new(),
-        rivals: Rivals::default(),
-    }
+    Study { version: "0.1.0".to_owned(), seed: 1, light: None, quick: true, rows, ..Study::default() }
 }
 
 /// The same with something of everything.
@@ -118,7 +106,7 @@ pub fn pixel(method: &str, format: &str, cost: f64, error: f64) -> PixelRow {
         worst_n: "3f800000 00000000 00000000".to_owned(),
         worst_v: "3f800000 3c000000 00000000".to_owned(),
         worst_l: "3f800000 00000000 3c000000".to_owned(),
-        frontier: false,
+        ..PixelRow::default()
     }
 }
 
@@ -153,6 +141,7 @@ pub fn kernel(format: &str, error: f64) -> KernelRow {
         error_rms: error * 0.4,
         samples: 1000,
         worst_input: "v.x 0.25, v.y 0.5, v.z 0.125".to_owned(),
+        ..KernelRow::default()
     }
 }
 

@@ -54,7 +54,6 @@ mod tests {
     use super::*;
     use crate::author::is_peer;
     use crate::sample;
-    use clap::Parser;
 
     #[test]
     fn integers_keep_the_bounds_of_their_documentation_and_peers_have_but_a_worst_error() {
