@@ -83,7 +83,7 @@ fn line(cell: &Cell, Peak { error, at }: &Peak) -> String {
 /// Where the table of the worst is from: begins with what is recorded there, and writes what it finds beside it. Fails
 /// where that is above a budget. `SUNGLINT_CELL` picks the cells whose name contains it, `SUNGLINT_SEED` another seed.
 #[test]
-#[ignore = "six minutes on two cores: cargo test --release --test search -- --ignored --nocapture"]
+#[ignore = "four minutes on two cores: cargo test --release --test search -- --ignored --nocapture"]
 fn the_full_search_finds_nothing_above_the_budgets() {
     let cells: Vec<Cell> = Cell::all().collect();
     let only = std::env::var("SUNGLINT_CELL").unwrap_or_default();
