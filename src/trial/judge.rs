@@ -175,3 +175,39 @@ fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at
     }
     near
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::input;
+    use super::*;
+    use crate::light::SUN;
+
+    fn judged(code: impl Fn([f64; 3], [f64; 3]) -> [f64; 3]) -> Judgement<f64> {
+        let pairs = input::random(1, 5000, SUN.angular_radius());
+        judge_code(Method::Cap, code, &SUN, pairs, 1e-12)
+    }
+
+    /// Always the light's centre: the answer is never too far out, at most by the whole radius too far in.
+    #[test]
+    fn a_disc_that_is_drawn_as_a_point_is_a_radius_too_small() {
+        let point = judged(|l, _| l);
+        let theta = SUN.angular_radius();
+        assert!((point.worst.error / theta - 1.0).abs() < 1e-9 && (point.edge_max - 1.0).abs() < 1e-9, "{point:?}");
+        assert!(point.bias < -0.8 * theta && point.bias > -theta, "{point:?}");
+        assert!((point.spread.percentile(0.99) / theta - 1.0).abs() < 0.016, "{point:?}");
+    }
+
+    /// Always the mirror ray, as if all of the sky were lit: the edge is judged up to ten radii from the centre.
+    #[test]
+    fn a_disc_that_never_ends_is_too_great() {
+        let sky = judged(|_, r| r);
+        assert!(sky.bias > 0.5 && sky.worst.error > 3.0, "{sky:?}");
+        assert!((8.0..=9.0).contains(&sky.edge_max) && sky.edge_mean_square < sky.edge_max * sky.edge_max, "{sky:?}");
+    }
+
+    #[test]
+    fn answers_that_are_no_direction_have_no_edge() {
+        let broken = judged(|_, _| [f64::NAN; 3]);
+        assert_eq!((broken.undirected, broken.edge_max, broken.bias), (broken.samples, 0.0, 0.0));
+    }
+}

@@ -13,7 +13,7 @@ pub fn of_direction(row: Row, method: Method, format: Format, light: &Light) -> 
     let command = |l: &str, r: &str| repro::of_direction(light.name, method.name(), format.name(), [l, r]);
     let own = command(&row.worst_l, &row.worst_r);
     let Some(Record { at, error, judged, .. }) = searched(method, format, light) else {
-        return Row { bound_max: row.error_max, bound_samples: row.samples, repro: own, ..row };
+        return Row { bound: Bound::Sampled, bound_max: row.error_max, bound_samples: row.samples, repro: own, ..row };
     };
     let [l, r] = [at.pair.l, at.pair.r].map(|v| bits(format, &v));
     Row {

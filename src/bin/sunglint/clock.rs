@@ -123,8 +123,19 @@ pub fn level_bits<T: Real>(&level: &T::Level) -> u64 {
     T::of_level(level).exact().to_bits()
 }
 
-/// The costs of all `contenders` as multiples of the `baseline`, over `rounds` rounds, each a step of `progress`.
+/// The costs of all `contenders` as multiples of the `baseline`, over `rounds` rounds, each a step of `progress`; at
+/// least [`LEAST`].
 pub fn costs(contenders: &[Contender], baseline: &Contender, rounds: usize, progress: &ProgressBar) -> Vec<Cost> {
+    let at_least = |Cost { median, lower_quartile, upper_quartile }| Cost {
+        median: f64::max(median, LEAST),
+        lower_quartile: f64::max(lower_quartile, LEAST),
+        upper_quartile: f64::max(upper_quartile, LEAST),
+    };
+    ratios(contenders, baseline, rounds, progress).into_iter().map(at_least).collect()
+}
+
+/// The same as they were found, below nothing too where the processor hides a call behind its stores.
+pub fn ratios(contenders: &[Contender], baseline: &Contender, rounds: usize, progress: &ProgressBar) -> Vec<Cost> {
     let mut ratios = vec![Vec::new(); contenders.len()];
     for _ in 0..rounds {
         for (contender, ratios) in contenders.iter().zip(&mut ratios) {
@@ -132,7 +143,7 @@ pub fn costs(contenders: &[Contender], baseline: &Contender, rounds: usize, prog
             let before = baseline.seconds();
             let own = contender.seconds();
             let after = baseline.seconds();
-            ratios.push((2.0 * own / (before + after)).max(LEAST));
+            ratios.push(2.0 * own / (before + after));
         }
         progress.inc(1);
     }

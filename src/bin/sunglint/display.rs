@@ -40,7 +40,7 @@ mod tests {
             assert!((srgb(level) - encoded).abs() < 1e-6, "{level}: {}", srgb(level));
         }
         assert!((srgb(0.003_130_8) - srgb(0.003_130_9)).abs() < 2e-6, "the two parts meet");
-        assert_eq!([srgb(-3.0), srgb(70_000.0)], [0.0, 1.0]);
+        assert!(srgb(-3.0) == 0.0 && srgb(70_000.0) == srgb(1.0));
     }
 
     #[test]
@@ -50,6 +50,6 @@ mod tests {
             assert_eq!(difference([[broken, 900.0]].into_iter()), Difference { max: 1.0, rms: 1.0 });
         }
         let half = difference([[0.0, 1.0], [0.5, 0.5], [0.2, 0.2], [1.0, 1.0]].into_iter());
-        assert_eq!(half, Difference { max: 1.0, rms: 0.5 });
+        assert!((half.max - 1.0).abs() < 1e-12 && (half.rms - 0.5).abs() < 1e-12, "{half:?}");
     }
 }
