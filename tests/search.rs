@@ -9,7 +9,7 @@ use std::{fs, thread};
 
 use sunglint::Real;
 use sunglint::trial::aim::{Candidate, Cell, Lit};
-use sunglint::trial::search::{Effort, Peak, Search, may_be_unit};
+use sunglint::trial::search::{Effort, Outcome, Peak, Search, may_be_unit};
 use sunglint::trial::worst::{TABLE, recorded};
 use sunglint::trial::{Format, Visitor};
 
@@ -68,16 +68,16 @@ fn every_budget_is_twelve_hundredths_above_its_worst() {
 fn a_short_search_stays_within_the_budgets() {
     let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap().as_nanos() as u64;
     for cell in Cell::all() {
-        let found = cell.format.visit(Search { cell, effort: Effort::SHORT, seed: now });
+        let found = cell.format.visit(Search { cell, effort: Effort::SHORT, seed: now }).peak;
         let budget = cell.budget().unwrap();
         assert!(found.error <= budget, "{}: {:e} is above {budget:e} at {:?}", name(&cell), found.error, found.at);
     }
 }
 
-fn line(cell: &Cell, Peak { error, at }: &Peak) -> String {
+fn line(cell: &Cell, Outcome { peak: Peak { error, at }, judged }: &Outcome) -> String {
     let lanes = at.pair.l.into_iter().chain(at.pair.r).map(|lane| format!(",{:x}", cell.format.bits(lane)));
     let (aim, format, place) = (cell.aim.name(), cell.format.name(), cell.place.name());
-    format!("{aim},{format},{place},{:x}{},{error:.5e}\n", at.size.to_bits(), lanes.collect::<String>())
+    format!("{aim},{format},{place},{:x}{},{error:.5e},{judged}\n", at.size.to_bits(), lanes.collect::<String>())
 }
 
 /// Where the table of the worst is from: begins with what is recorded there, and writes what it finds beside it. Fails
@@ -95,32 +95,34 @@ fn the_full_search_finds_nothing_above_the_budgets() {
     let work = || {
         while let Some(&index) = chosen.get(next.fetch_add(1, Ordering::Relaxed)) {
             let cell = cells[index];
-            let peak = cell.format.visit(Search { cell, effort: Effort::FULL, seed });
+            let outcome = cell.format.visit(Search { cell, effort: Effort::FULL, seed });
             let old = before.iter().find(|record| record.cell == cell).map(|record| record.error);
             let (seconds, count) = (start.elapsed().as_secs(), found.lock().unwrap().len());
             println!(
                 "{seconds} s, {count} of {}: {}: {:.3e}, recorded {old:?}, budget {:?}",
                 chosen.len(),
                 name(&cell),
-                peak.error,
+                outcome.peak.error,
                 cell.budget()
             );
-            found.lock().unwrap().insert(index, (peak, old));
+            found.lock().unwrap().insert(index, (outcome, old));
         }
     };
     thread::scope(|scope| {
         (0..thread::available_parallelism().map_or(2, usize::from)).for_each(|_| drop(scope.spawn(work)))
     });
     let found = found.into_inner().unwrap();
-    let mut table = String::from("aim,format,place,size,l0,l1,l2,r0,r1,r2,error\n");
-    for (index, (peak, _)) in &found {
-        table.write_str(&line(&cells[*index], peak)).unwrap();
+    let mut table = String::from("aim,format,place,size,l0,l1,l2,r0,r1,r2,error,judged\n");
+    for (index, (outcome, _)) in &found {
+        table.write_str(&line(&cells[*index], outcome)).unwrap();
     }
     let path = concat!(env!("CARGO_TARGET_TMPDIR"), "/directions.csv");
     fs::write(path, table).unwrap();
     println!("{path} is the table of src/trial/worst/ now");
-    let above =
-        found.iter().filter(|(index, (peak, _))| cells[**index].budget().is_none_or(|budget| peak.error > budget));
+    let is_above = |(index, (outcome, _)): &(&usize, &(Outcome, _))| {
+        cells[**index].budget().is_none_or(|budget| outcome.peak.error > budget)
+    };
+    let above = found.iter().filter(is_above);
     assert_eq!(above.count(), 0, "cells with worse than their budget");
 }
 

@@ -63,16 +63,26 @@ impl Case {
     /// width off the light's centre, evenly in the logarithm, the viewer at least 3 degrees above the surface, and all
     /// of it turned at random.
     pub fn pixels(&self, seed: u64, count: usize) -> impl Iterator<Item = Pixel> + use<> {
-        let mut source = Rand64::new(u128::from(seed));
         let width = self.light.angular_radius() + 2.0 * self.alpha;
-        (0..).map(move |_| pixel(&mut source, width)).filter(|pixel| cosine(pixel.n, pixel.v) > 0.05).take(count)
+        pixels(seed, count, move |part| (width * libm::pow(10.0, 3.0 * part - 2.0)).min(1.5))
+    }
+
+    /// The same with the mirror ray between two angles in radians off the light's centre, evenly in the logarithm.
+    pub fn pixels_off(seed: u64, count: usize, [least, most]: [f64; 2]) -> impl Iterator<Item = Pixel> {
+        pixels(seed, count, move |part| least * libm::pow(most / least, part))
     }
 }
 
-fn pixel(source: &mut Rand64, width: f64) -> Pixel {
+/// Random pixels; `away` makes the angle between mirror ray and light of a number from 0 to 1.
+fn pixels(seed: u64, count: usize, away: impl Fn(f64) -> f64) -> impl Iterator<Item = Pixel> {
+    let mut source = Rand64::new(u128::from(seed));
+    (0..).map(move |_| pixel(&mut source, &away)).filter(|pixel| cosine(pixel.n, pixel.v) > 0.05).take(count)
+}
+
+fn pixel(source: &mut Rand64, away: impl Fn(f64) -> f64) -> Pixel {
     let n = on_sphere(source);
     let l = turned(n, on_sphere(source), 75_f64.to_radians() * source.rand_float());
-    let away = (width * libm::pow(10.0, 3.0 * source.rand_float() - 2.0)).min(1.5);
+    let away = away(source.rand_float());
     let r = turned(l, on_sphere(source), away);
     let twice = 2.0 * cosine(n, r);
     Pixel { n, v: [0, 1, 2].map(|i| twice * n[i] - r[i]), l }
@@ -106,7 +116,12 @@ fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
 /// Relative arithmetic error of whole pixels: computed against the exact value of the method's formula at the rounded
 /// inputs.
 pub fn arithmetic<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item = Pixel>) -> Found<9> {
-    arithmetic_of_code::<T>(shading, case, pixels, |[n, v, l]| shading.visit(Whole { case, n, v, l }))
+    arithmetic_of_code::<T>(shading, case, pixels, |lanes| level(shading, case, lanes))
+}
+
+/// What a method makes of a whole pixel: of normal, viewer and light.
+pub fn level<T: Real>(shading: Shading, case: &Case, [n, v, l]: [[T; 3]; 3]) -> f64 {
+    shading.visit(Whole { case, n, v, l })
 }
 
 /// The same of `code`, which makes a level of normal, viewer and light in its own way.
@@ -121,7 +136,7 @@ pub fn arithmetic_of_code<T: Real>(
         let (lanes, exact) = rounded::<T>(&pixel);
         let value = code(lanes);
         let truth = truth::<T>(shading, case, &exact);
-        found.add((value / truth - 1.0).abs(), inputs(&exact));
+        found.add_signed(value / truth - 1.0, inputs(&exact));
     }
     found
 }
@@ -148,25 +163,27 @@ pub fn input<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item 
     let mut found = Found::new();
     for pixel in pixels {
         let (_, exact) = rounded::<T>(&pixel);
-        found
-            .add((truth::<T>(shading, case, &exact) / truth::<f64>(shading, case, &pixel) - 1.0).abs(), inputs(&exact));
+        let ratio = truth::<T>(shading, case, &exact) / truth::<f64>(shading, case, &pixel);
+        found.add_signed(ratio - 1.0, inputs(&exact));
     }
     found
 }
 
+/// The truth: the whole pixel with the BRDF integrated over the disc, at the directions, the roughness and the
+/// reflectances as the format holds them.
+pub fn integral<T: Real, const N: usize>(case: &Case, pixel: &Pixel, rule: &Quadrature<N>) -> f64 {
+    let (_, exact) = rounded::<T>(pixel);
+    let albedo = T::Scalar::nearest(ALBEDO).exact();
+    diffuse(case, &exact, albedo) + PI * rule.highlight(&case.glossy::<T>(), &exact)
+}
+
 /// Relative error of the methods' formulas themselves, in the order of [`Shading::ALL`]: their exact values against the
-/// BRDF integrated over the disc. All at once, since the integral, which takes nearly all of the time, is the same for
-/// each.
-pub fn models<const N: usize>(
-    case: &Case,
-    pixels: impl Iterator<Item = Pixel>,
-    rule: &Quadrature<N>,
-) -> [Found<9>; Shading::ALL.len()] {
+/// [`integral`] in f64, which comes with each pixel.
+pub fn models(case: &Case, pixels: impl Iterator<Item = (Pixel, f64)>) -> [Found<9>; Shading::ALL.len()] {
     let mut found = [Found::new(); Shading::ALL.len()];
-    for pixel in pixels {
-        let whole = diffuse(case, &pixel, ALBEDO) + PI * rule.highlight(&case.glossy::<f64>(), &pixel);
+    for (pixel, integral) in pixels {
         for (found, shading) in found.iter_mut().zip(Shading::ALL) {
-            found.add((truth::<f64>(shading, case, &pixel) / whole - 1.0).abs(), inputs(&pixel));
+            found.add_signed(truth::<f64>(shading, case, &pixel) / integral - 1.0, inputs(&pixel));
         }
     }
     found

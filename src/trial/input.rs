@@ -19,10 +19,25 @@ pub struct Pair {
 pub fn random(seed: u64, count: usize, theta: f64) -> impl Iterator<Item = Pair> {
     let mut source = Rand64::new(u128::from(seed));
     (0..count).map(move |index| {
-        let l = if index % 8 == 7 { beside_axis(&mut source) } else { on_sphere(&mut source) };
+        let l = light(&mut source, index);
         let angle = angle(&mut source, index % 5, theta);
         Pair { l, r: turned(l, on_sphere(&mut source), angle.clamp(0.0, PI)) }
     })
+}
+
+/// The same lights, with angles between the two that `angle` makes of numbers from 0 to 1.
+pub fn at_angles(seed: u64, count: usize, angle: impl Fn(f64) -> f64) -> impl Iterator<Item = Pair> {
+    let mut source = Rand64::new(u128::from(seed));
+    (0..count).map(move |index| {
+        let l = light(&mut source, index);
+        let angle = angle(source.rand_float());
+        Pair { l, r: turned(l, on_sphere(&mut source), angle) }
+    })
+}
+
+/// One in eight on or beside an axis.
+fn light(source: &mut Rand64, index: usize) -> [f64; 3] {
+    if index % 8 == 7 { beside_axis(source) } else { on_sphere(source) }
 }
 
 /// The light from `(1, 2, 3)` and the mirror ray turned from it by `angle` towards `(3, 0, -1)`: the scene of the

@@ -32,7 +32,8 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// What the budgets are from: over a million inputs for each.
+    /// What the budgets are from: over a million inputs for each, of which half a million to 900 000 are unit vectors in
+    /// the format and are judged.
     pub const FULL: Self = Self { starts: 1200, first: 500, last: 24_000 };
 
     /// A few thousand inputs.
@@ -59,11 +60,22 @@ pub struct Peak {
     pub at: Candidate,
 }
 
-impl Visitor for Search {
-    type Output = Peak;
+/// What a search found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome {
+    /// The worst input.
+    pub peak: Peak,
+    /// How many inputs were judged for it.
+    pub judged: u64,
+}
 
-    fn visit<T: Real>(self) -> Peak {
-        Climber::<T>::new(&self).worst(self.effort)
+impl Visitor for Search {
+    type Output = Outcome;
+
+    fn visit<T: Real>(self) -> Outcome {
+        let mut climber = Climber::<T>::new(&self);
+        let peak = climber.worst(self.effort);
+        Outcome { peak, judged: climber.judged }
     }
 }
 
@@ -72,6 +84,7 @@ struct Climber<T: Real> {
     source: Rand64,
     /// Of a place with one light only.
     lit: Option<Lit<T>>,
+    judged: u64,
 }
 
 impl<T: Real> Climber<T> {
@@ -79,7 +92,7 @@ impl<T: Real> Climber<T> {
         let cell = search.cell;
         let one = matches!(cell.place, Place::Light(_));
         let lit = one.then(|| Lit::of(cell.place.light(0.0)));
-        Self { cell, source: Rand64::new(search.seed.into()), lit }
+        Self { cell, source: Rand64::new(search.seed.into()), lit, judged: 0 }
     }
 
     fn worst(&mut self, effort: Effort) -> Peak {
@@ -123,11 +136,12 @@ impl<T: Real> Climber<T> {
     }
 
     /// The error of an input that is one.
-    fn peak(&self, at: Candidate) -> Option<Peak> {
+    fn peak(&mut self, at: Candidate) -> Option<Peak> {
         let format = self.cell.format;
         let admitted = may_be_unit(format, at.pair.l) && may_be_unit(format, at.pair.r);
         let lit = || self.lit.unwrap_or_else(|| Lit::of(self.cell.place.light(at.size)));
         let error = if admitted { self.cell.aim.error(format, &lit(), &at) } else { None };
+        self.judged += u64::from(error.is_some());
         error.map(|error| Peak { error, at })
     }
 

@@ -1,12 +1,14 @@
 //! The worst inputs that [`search`](super::search) has found, as raw bits: what the budgets of directions are tied to.
 
+pub mod kernels;
+
 use super::aim::{Aim, Candidate, Cell, Place};
 use super::format::Format;
 use super::input::Pair;
 use super::method::Method;
 
 /// One line for each cell: aim, format, place, the size as an f64 in hexadecimal bits, the six lanes of `l` and `r` in
-/// bits of the format, the error.
+/// bits of the format, the error, how many inputs were judged.
 pub const TABLE: &str = include_str!("worst/directions.csv");
 
 /// A cell and its worst input.
@@ -18,6 +20,8 @@ pub struct Record {
     pub at: Candidate,
     /// The error as recorded, to six digits.
     pub error: f64,
+    /// How many inputs the search judged.
+    pub judged: u64,
 }
 
 /// All records. A line that says nothing is left out, which `tests/search.rs` notices.
@@ -42,8 +46,8 @@ fn record(line: &str) -> Option<Record> {
         *lane = cell.format.value(u64::from_str_radix(next()?, 16).ok()?);
     }
     let [a, b, c, d, e, f] = lanes;
-    let error = next()?.parse().ok()?;
-    Some(Record { cell, at: Candidate { size, pair: Pair { l: [a, b, c], r: [d, e, f] } }, error })
+    let (error, judged) = (next()?.parse().ok()?, next()?.parse().ok()?);
+    Some(Record { cell, at: Candidate { size, pair: Pair { l: [a, b, c], r: [d, e, f] } }, error, judged })
 }
 
 fn cell(aim: &str, format: &str, place: &str) -> Option<Cell> {

@@ -3,11 +3,15 @@
 //!
 //! Directions, whole pixels and building blocks are all in that one unit, so that their costs can be added up and
 //! their charts laid side by side.
+//!
+//! Calls are independent of each other, so that a processor works on several at once: that is throughput. Latency is the
+//! time of a call that waits for the one before, in the same unit.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
+use sunglint::{Real, Scalar};
 
 /// The least cost that can be told from nothing; what is cheaper counts as this much.
 pub const LEAST: f64 = 1.0 / 16.0;
@@ -65,8 +69,73 @@ pub fn batch<I: 'static, O>(inputs: Vec<I>, function: impl Fn(&I) -> O + 'static
     })
 }
 
-/// The costs of all `contenders` as multiples of the `baseline`, over `rounds` rounds, each a step of `progress`.
+/// The same where each call waits for the answer before: which input is next hangs on that answer's `bits`.
+///
+/// To which input they lead is not known before the answer is, to compiler and processor alike, though it is always the
+/// one that follows: of the bits, only what a mask hides from both, which is nothing, counts. So the value is never
+/// touched, NaN and infinity do no harm, and an empty chain takes as long to fetch an input and to read the bits.
+pub fn chain<I: 'static, O>(
+    inputs: Vec<I>,
+    function: impl Fn(&I) -> O + 'static,
+    bits: impl Fn(&O) -> u64 + 'static,
+) -> Batch {
+    Box::new(move || {
+        let nothing = black_box(0);
+        let mut index = 0;
+        while let Some(input) = inputs.get(index) {
+            let answer = black_box(function(black_box(input)));
+            index += 1 + (bits(&answer) & nothing) as usize;
+        }
+    })
+}
+
+/// Whether calls wait for each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// A [`batch`].
+    Independent,
+    /// A [`chain`].
+    Waiting,
+}
+
+impl Pace {
+    /// The calls of `function` at this pace.
+    pub fn calls<I: 'static, O>(
+        self,
+        inputs: Vec<I>,
+        function: impl Fn(&I) -> O + 'static,
+        bits: impl Fn(&O) -> u64 + 'static,
+    ) -> Batch {
+        match self {
+            Self::Independent => batch(inputs, function),
+            Self::Waiting => chain(inputs, function, bits),
+        }
+    }
+}
+
+/// All bits of a direction, as of f64.
+pub fn lane_bits<T: Real>(lanes: &[T; 3]) -> u64 {
+    lanes.iter().fold(0, |bits, lane| bits ^ lane.to_f64().to_bits())
+}
+
+/// All bits of a level, as of f64.
+pub fn level_bits<T: Real>(&level: &T::Level) -> u64 {
+    T::of_level(level).exact().to_bits()
+}
+
+/// The costs of all `contenders` as multiples of the `baseline`, over `rounds` rounds, each a step of `progress`; at
+/// least [`LEAST`].
 pub fn costs(contenders: &[Contender], baseline: &Contender, rounds: usize, progress: &ProgressBar) -> Vec<Cost> {
+    let at_least = |Cost { median, lower_quartile, upper_quartile }| Cost {
+        median: f64::max(median, LEAST),
+        lower_quartile: f64::max(lower_quartile, LEAST),
+        upper_quartile: f64::max(upper_quartile, LEAST),
+    };
+    ratios(contenders, baseline, rounds, progress).into_iter().map(at_least).collect()
+}
+
+/// The same as they were found, below nothing too where the processor hides a call behind its stores.
+pub fn ratios(contenders: &[Contender], baseline: &Contender, rounds: usize, progress: &ProgressBar) -> Vec<Cost> {
     let mut ratios = vec![Vec::new(); contenders.len()];
     for _ in 0..rounds {
         for (contender, ratios) in contenders.iter().zip(&mut ratios) {
@@ -74,7 +143,7 @@ pub fn costs(contenders: &[Contender], baseline: &Contender, rounds: usize, prog
             let before = baseline.seconds();
             let own = contender.seconds();
             let after = baseline.seconds();
-            ratios.push((2.0 * own / (before + after)).max(LEAST));
+            ratios.push(2.0 * own / (before + after));
         }
         progress.inc(1);
     }
@@ -105,12 +174,40 @@ fn cost(mut ratios: Vec<f64>) -> Cost {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
     use super::*;
 
     #[test]
     fn quartiles_are_those_of_the_sorted_ratios() {
         let cost = cost(vec![5.0, 1.0, 4.0, 2.0, 3.0]);
         assert_eq!([cost.lower_quartile, cost.median, cost.upper_quartile], [2.0, 3.0, 4.0]);
+    }
+
+    #[test]
+    fn a_chain_calls_every_input_once_whatever_it_answers() {
+        for answer in [0.5, -0.0, f64::NAN, f64::NEG_INFINITY] {
+            let seen = Rc::new(RefCell::new(Vec::new()));
+            let kept = Rc::clone(&seen);
+            let function = move |&input: &u32| {
+                kept.borrow_mut().push(input);
+                answer
+            };
+            chain(vec![3, 1, 4, 1, 5], function, |answer: &f64| answer.to_bits())();
+            assert_eq!(*seen.borrow(), [3, 1, 4, 1, 5]);
+        }
+    }
+
+    #[test]
+    fn bits_hang_on_every_lane() {
+        let lanes = [half::f16::ONE, half::f16::NAN, half::f16::EPSILON];
+        for place in 0..3 {
+            let mut other = lanes;
+            other[place] = half::f16::ZERO;
+            assert_ne!(lane_bits(&lanes), lane_bits(&other));
+        }
+        assert_ne!(level_bits::<f32>(&1.0), level_bits::<f32>(&1.5));
     }
 
     #[test]

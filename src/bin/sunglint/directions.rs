@@ -7,7 +7,8 @@ use sunglint::trial::{Constants, Format, Judgement, Light, Method, Visitor, inpu
 use sunglint::{Real, cap, disc, epic, factored};
 
 use crate::author::OURS;
-use crate::clock::{self, Batch, Contender, batch};
+use crate::bound;
+use crate::clock::{self, Batch, Contender, Pace, lane_bits};
 use crate::measure::bits;
 use crate::options::Options;
 use crate::result::Row;
@@ -58,7 +59,8 @@ pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<Row> {
 pub fn add_costs(rows: &mut [Row], options: &Options, progress: &ProgressBar) {
     for (light, rows) in wanted(options).zip(rows.chunks_mut(Method::ALL.len() * Format::ALL.len())) {
         progress.set_message(format!("timing, {}", light.name));
-        let contenders: Vec<_> = of_all().map(|(method, format)| contender(method, format, &light)).collect();
+        let contenders: Vec<_> =
+            of_all().map(|(method, format)| contender(method, format, &light, Pace::Independent)).collect();
         let costs = clock::costs(&contenders, &baseline(&light), rounds(options), progress);
         for (row, cost) in rows.iter_mut().zip(costs) {
             (row.cost, row.cost_low, row.cost_high) = cost.figures();
@@ -73,11 +75,12 @@ fn of_all() -> impl Iterator<Item = (Method, Format)> {
 
 /// f32 `factored` under `light`, whose time is the unit of all costs.
 pub fn baseline(light: &Light) -> Contender {
-    contender(Method::Factored, Format::F32, light)
+    contender(Method::Factored, Format::F32, light, Pace::Independent)
 }
 
-fn contender(method: Method, format: Format, light: &Light) -> Contender {
-    let build = |method| format.visit(Build { method, light });
+/// The calls of a method in a format under `light`.
+pub fn contender(method: Method, format: Format, light: &Light, pace: Pace) -> Contender {
+    let build = |method| format.visit(Build { method, light, pace });
     Contender { call: build(Some(method)), empty: build(None), inputs: input::ball(SIDE).count() }
 }
 
@@ -85,6 +88,7 @@ fn contender(method: Method, format: Format, light: &Light) -> Contender {
 struct Build<'a> {
     method: Option<Method>,
     light: &'a Light,
+    pace: Pace,
 }
 
 impl Visitor for Build<'_> {
@@ -92,15 +96,15 @@ impl Visitor for Build<'_> {
 
     fn visit<T: Real>(self) -> Batch {
         let Constants { sphere, unfactored } = Constants::<T>::of(&self.light.light);
-        let pairs = input::ball(SIDE);
+        let (pairs, pace) = (input::ball(SIDE), self.pace);
         let pairs: Vec<_> = pairs.map(|pair| [pair.l.map(T::from_f64), pair.r.map(T::from_f64)]).collect();
         // One closure a method, so that the compiler sees which one it is.
         match self.method {
-            Some(Method::Epic) => batch(pairs, move |&[l, r]| epic(l, r, &unfactored)),
-            Some(Method::Factored) => batch(pairs, move |&[l, r]| factored(l, r, &sphere)),
-            Some(Method::Disc) => batch(pairs, move |&[l, r]| disc(l, r, &sphere)),
-            Some(Method::Cap) => batch(pairs, move |&[l, r]| cap(l, r, &sphere)),
-            None => batch(pairs, |&[l, _]| l),
+            Some(Method::Epic) => pace.calls(pairs, move |&[l, r]| epic(l, r, &unfactored), lane_bits),
+            Some(Method::Factored) => pace.calls(pairs, move |&[l, r]| factored(l, r, &sphere), lane_bits),
+            Some(Method::Disc) => pace.calls(pairs, move |&[l, r]| disc(l, r, &sphere), lane_bits),
+            Some(Method::Cap) => pace.calls(pairs, move |&[l, r]| cap(l, r, &sphere), lane_bits),
+            None => pace.calls(pairs, |&[l, _]| l, lane_bits),
         }
     }
 }
@@ -119,7 +123,8 @@ impl Visitor for Judge<'_> {
     fn visit<T: Real>(self) -> Row {
         let pairs = pairs(&self.light, self.options);
         let judgement = judge::<T>(self.method, &self.light.light, pairs, self.format.step());
-        row(self.light, self.method, self.format, &judgement)
+        let row = row(self.light, self.method, self.format, &judgement);
+        bound::of_direction(row, self.method, self.format, &self.light)
     }
 }
 
@@ -130,7 +135,7 @@ pub fn pairs(light: &Light, options: &Options) -> impl Iterator<Item = Pair> + u
     input::random(options.seed, count, theta).chain(input::hard(theta))
 }
 
-/// A row without costs.
+/// A row without costs, whose bound is this run's.
 pub fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Judgement<T>) -> Row {
     let failed = judgement.undirected == judgement.samples;
     let shown = |error: f64| if failed { f64::NAN } else { error };
@@ -161,6 +166,14 @@ pub fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Ju
         worst_angle: sunglint::oracle::angle_between(l, r),
         worst_l: bits(format, &l),
         worst_r: bits(format, &r),
+        // Of the worst errors' bin the middle may be beyond them.
+        error_p99: shown(judgement.spread.percentile(0.99).min(worst.error)),
+        error_bias: shown(judgement.bias),
+        edge_max: shown(100.0 * judgement.edge_max),
+        edge_rms: shown(100.0 * judgement.edge_mean_square.sqrt()),
+        latency: f64::NAN,
+        bound_max: shown(worst.error),
+        bound_samples: judgement.samples,
         // Frontiers and counts come later.
         ..Row::default()
     }

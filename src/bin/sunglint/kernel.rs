@@ -148,7 +148,14 @@ impl Kernel {
     pub fn measured<const INPUTS: usize>(self, found: &Found<INPUTS>) -> Measured {
         let named = self.inputs().iter().zip(&found.worst).filter(|(name, _)| !name.is_empty());
         let worst: Vec<_> = named.map(|(name, value)| format!("{name} {value}")).collect();
-        Measured { max: found.max, rms: found.rms(), samples: found.samples, worst: worst.join(", ") }
+        Measured {
+            max: found.max,
+            rms: found.rms(),
+            samples: found.samples,
+            worst: worst.join(", "),
+            p99: found.p99(),
+            bias: found.bias(),
+        }
     }
 }
 
@@ -162,6 +169,10 @@ pub struct Measured {
     pub samples: u64,
     /// Input of the worst error: names and exact values.
     pub worst: String,
+    /// What 99 in 100 errors do not exceed.
+    pub p99: f64,
+    /// Mean of the errors with their signs, where they have one.
+    pub bias: Option<f64>,
 }
 
 #[cfg(test)]
@@ -206,6 +217,18 @@ mod tests {
                 let name = format!("{} in {}: {} of {budget}", kernel.name(), format.name(), found.max);
                 assert!(found.max <= budget && found.max > budget / 10.0, "{name}");
                 assert!(found.rms < found.max && found.samples >= 40, "{name}");
+                assert!(found.p99 <= found.max && found.p99 > 0.2 * found.rms, "{name}, 99th {}", found.p99);
+                let has_sign = !matches!(
+                    kernel,
+                    Kernel::Normalize
+                        | Kernel::Reflect
+                        | Kernel::Basis
+                        | Kernel::SinCos
+                        | Kernel::ConeDirection
+                        | Kernel::Tint
+                );
+                assert_eq!(found.bias.is_some(), has_sign, "{name}");
+                assert!(found.bias.is_none_or(|bias| bias.abs() <= found.rms), "{name}, bias {:?}", found.bias);
             }
         }
     }

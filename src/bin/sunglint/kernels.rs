@@ -5,6 +5,7 @@ use sunglint::Real;
 use sunglint::trial::{Format, Light, Visitor, lights};
 
 use crate::author::OURS;
+use crate::bound;
 use crate::clock::{self, Contender};
 use crate::directions;
 use crate::kernel::{Kernel, Measured};
@@ -89,11 +90,21 @@ impl Visitor for Judge<'_> {
             cost_high: f64::NAN,
             ..KernelRow::default()
         };
-        with_errors(row, measured)
+        bound::of_kernel(with_errors(row, measured), self.format, self.options.seed)
     }
 }
 
-/// `row` with what was measured.
-pub fn with_errors(row: KernelRow, Measured { max, rms, samples, worst }: Measured) -> KernelRow {
-    KernelRow { error_max: max, error_rms: rms, samples, worst_input: worst, ..row }
+/// `row` with what was measured, which is its bound.
+pub fn with_errors(row: KernelRow, Measured { max, rms, samples, worst, p99, bias }: Measured) -> KernelRow {
+    KernelRow {
+        error_max: max,
+        error_rms: rms,
+        samples,
+        worst_input: worst,
+        error_p99: p99,
+        error_bias: bias,
+        bound_max: max,
+        bound_samples: samples,
+        ..row
+    }
 }

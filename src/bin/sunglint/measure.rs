@@ -7,7 +7,7 @@ use crate::options::Options;
 use crate::result::Study;
 use crate::rivals::{self, Rivals};
 use crate::{
-    anchors, chip, curves, directions, kernels, lobes, pictures, pixel_q14, pixels, presets, quantities, sweep,
+    anchors, chip, curves, directions, kernels, latency, lobes, pictures, pixel_q14, pixels, presets, quantities, sweep,
 };
 
 /// Names of the lights that can be asked for: of directions, of lit pixels and of whole highlights.
@@ -21,6 +21,7 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
     let rivals = rivals::steps(options) + pixel_q14::steps(options) + rivals::kernels::STEPS;
     let beside = [
         lobes::steps(options),
+        latency::steps(options),
         anchors::steps(options),
         curves::steps(options),
         sweep::steps(options),
@@ -28,6 +29,7 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
         pictures::steps(options),
     ];
     progress.set_length((steps.into_iter().chain(beside).sum::<usize>() + rivals) as u64);
+    let truths = pixels::Truths::of(options, progress);
     let mut study = Study {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         seed: options.seed,
@@ -35,7 +37,7 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
         quick: options.quick,
         rows: directions::errors(options, progress),
         quantities: quantities::measure(options, progress),
-        pixels: pixels::errors(options, progress),
+        pixels: pixels::errors(&truths, options, progress),
         lobes: lobes::measure(options, progress),
         kernels: kernels::errors(options, progress),
         curves: curves::measure(options, progress),
@@ -46,15 +48,16 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
     };
     study.rivals = Rivals {
         directions: rivals::directions(&study.rows, options, progress),
-        pixels: pixel_q14::errors(&study.pixels, options, progress),
+        pixels: pixel_q14::errors(&study.pixels, &truths, options, progress),
         kernels: rivals::kernels::errors(&study.kernels, options, progress),
     };
     // From here on one thing at a time: these are times.
-    study.anchors = anchors::measure(options, progress);
+    study.anchors = anchors::measure(&truths, options, progress);
     directions::add_costs(&mut study.rows, options, progress);
     pixels::add_costs(&mut study.pixels, options, progress);
     pixel_q14::add_costs(&mut study.rivals.pixels, options, progress);
     kernels::add_costs(&mut study.kernels, options, progress);
+    latency::add(&mut study, options, progress);
     study.chip = chip::rows(&study);
     study
 }

@@ -6,14 +6,14 @@ use sunglint::fixed::types::I2F14;
 use sunglint::material::{Material, Surface};
 use sunglint::raw::{PixelQ14, SphereQ14};
 use sunglint::scene::Channel;
-use sunglint::trial::gloss::{self, ALBEDO, Case, F0};
+use sunglint::trial::gloss::{ALBEDO, Case, F0};
 use sunglint::trial::{Format, Light, Shading};
 
 use crate::author::PIXEL_Q14;
-use crate::clock::{self, Contender};
+use crate::clock::{self, Contender, chain};
 use crate::directions;
 use crate::options::Options;
-use crate::pixels;
+use crate::pixels::{self, Judged, Truths};
 use crate::result::PixelRow;
 use crate::workers;
 
@@ -26,25 +26,26 @@ pub fn steps(options: &Options) -> usize {
 }
 
 /// The errors in each case of `rows`, whose models are those of the same formula.
-pub fn errors(rows: &[PixelRow], options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
+pub fn errors(rows: &[PixelRow], truths: &Truths, options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
     let rows = workers::map(&pixels::wanted(options), progress, |case| {
         progress.set_message(format!("{}, {PIXEL_Q14}", case.name));
         let same = |row: &&PixelRow| {
             [&*row.case, &*row.method, &*row.format] == [case.name, Shading::DiscGgx.name(), Format::I2F14.name()]
         };
-        rows.iter().find(same).map(|row| judged(case, row, options))
+        rows.iter().find(same).map(|row| judged(case, row, truths, options))
     });
     rows.into_iter().flatten().collect()
 }
 
 /// The row of the generic pixel, with the arithmetic of this one. Roundings of the inputs are the same.
-fn judged(case: &Case, generic: &PixelRow, options: &Options) -> PixelRow {
-    let error =
-        gloss::arithmetic_of_code(Shading::DiscGgx, case, pixels::arithmetic(case, options), |[n, v, l]: [_; 3]| {
-            let level = pixel(case, l).map(|pixel| pixel.shade_channel(bits(n), bits(v), Channel::Green));
-            level.map_or(f64::NAN, |level| f64::from(level) * core::f64::consts::PI / f64::from(PI))
-        });
-    PixelRow { by: PIXEL_Q14, ..pixels::with_arithmetic(generic.clone(), Format::I2F14, &error) }
+fn judged(case: &Case, generic: &PixelRow, truths: &Truths, options: &Options) -> PixelRow {
+    let judged = Judged::of(Shading::DiscGgx, case, options, |[n, v, l]: [_; 3]| {
+        let level = pixel(case, l).map(|pixel| pixel.shade_channel(bits(n), bits(v), Channel::Green));
+        level.map_or(f64::NAN, |level| f64::from(level) * core::f64::consts::PI / f64::from(PI))
+    });
+    // The command would compute the generic pixel.
+    let row = PixelRow { by: PIXEL_Q14, repro: String::new(), ..generic.clone() };
+    judged.row(row, Format::I2F14, truths.levels(case, Format::I2F14))
 }
 
 /// The surface of `case` under its light at `l`; nothing where `l` is no direction.
@@ -72,7 +73,22 @@ pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBa
 }
 
 fn contender(case: &Case) -> Contender {
-    let inputs: Vec<_> = pixels::ball().map(|pixel| pixel.map(|vector| bits(vector.map(q14)))).collect();
+    Contender::new(inputs(), calls(case), |&[n, _]| n)
+}
+
+/// Its calls that wait for each other.
+pub fn waiting(case: &Case) -> Contender {
+    let levels: Vec<_> = inputs().into_iter().map(|[[x, ..], _]| u32::from(x.unsigned_abs())).collect();
+    let read = |&level: &u32| level.into();
+    Contender { inputs: levels.len(), call: chain(inputs(), calls(case), read), empty: chain(levels, |&level| level, read) }
+}
+
+/// Normal and viewer.
+fn inputs() -> Vec<[[i16; 3]; 2]> {
+    pixels::ball().map(|pixel| pixel.map(|vector| bits(vector.map(q14)))).collect()
+}
+
+fn calls(case: &Case) -> impl Fn(&[[i16; 3]; 2]) -> u32 + use<> {
     let pixel = pixel(case, pixels::ball_light().map(q14)).expect("a unit vector");
-    Contender::new(inputs, move |&[n, v]| pixel.shade_channel(n, v, Channel::Green), |&[n, _]| n)
+    move |&[n, v]| pixel.shade_channel(n, v, Channel::Green)
 }

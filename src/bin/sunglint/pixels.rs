@@ -1,5 +1,7 @@
 //! Errors and costs of whole lit pixels: every highlight method in every format, on a surface under a light.
 
+use std::cell::RefCell;
+
 use indicatif::ProgressBar;
 use sunglint::Real;
 use sunglint::highlight::Highlight;
@@ -10,8 +12,10 @@ use sunglint::trial::gloss::{self, CASES, Case};
 use sunglint::trial::{Format, Found, Light, Make, Shading, ShadingVisitor, Visitor, input};
 
 use crate::author::OURS;
-use crate::clock::{self, Batch, Contender, batch};
+use crate::bound;
+use crate::clock::{self, Batch, Contender, Pace, lane_bits, level_bits};
 use crate::directions;
+use crate::display::{self, WHITES};
 use crate::measure::bits;
 use crate::options::Options;
 use crate::result::PixelRow;
@@ -36,7 +40,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 
 /// Steps of the progress bar.
 pub fn steps(options: &Options) -> usize {
-    wanted(options).len() * (1 + CONTENDERS + rounds(options))
+    wanted(options).len() * (Format::ALL.len() + 1 + CONTENDERS + rounds(options))
 }
 
 /// The cases that were asked for.
@@ -53,12 +57,65 @@ pub fn rounds(options: &Options) -> usize {
     if options.quick { 5 } else { 25 }
 }
 
+/// The true levels of the pixels whose arithmetic is judged: the BRDF integrated over the disc, in every case, at the
+/// inputs as each format rounds them.
+pub struct Truths(Vec<Truth>);
+
+struct Truth {
+    case: &'static str,
+    format: Format,
+    levels: Vec<f64>,
+}
+
+impl Truths {
+    /// All of them, on all cores.
+    pub fn of(options: &Options, progress: &ProgressBar) -> Self {
+        let cases = wanted(options);
+        let all: Vec<_> = cases.iter().flat_map(|&case| Format::ALL.map(|format| (case, format))).collect();
+        let truth = |&(case, format): &(Case, Format)| {
+            progress.set_message(format!("{}, integrals over the disc in {}", case.name, format.name()));
+            // The models' are those of f64.
+            let wanted = format == Format::F64 || options.wants_format(format);
+            let levels = if wanted { format.visit(Integrals { case, options }) } else { vec![] };
+            Truth { case: case.name, format, levels }
+        };
+        Self(workers::map(&all, progress, truth))
+    }
+
+    /// Those of the pixels of [`arithmetic`], over the level of white.
+    pub fn levels(&self, case: &Case, format: Format) -> &[f64] {
+        let truth = self.0.iter().find(|truth| truth.case == case.name && truth.format == format);
+        truth.map_or(&[], |truth| &truth.levels)
+    }
+}
+
+struct Integrals<'a> {
+    case: Case,
+    options: &'a Options,
+}
+
+impl Integrals<'_> {
+    fn by<T: Real, const N: usize>(&self) -> Vec<f64> {
+        let rule = Quadrature::<N>::new();
+        arithmetic(&self.case, self.options).map(|pixel| gloss::integral::<T, N>(&self.case, &pixel, &rule)).collect()
+    }
+}
+
+impl Visitor for Integrals<'_> {
+    type Output = Vec<f64>;
+
+    fn visit<T: Real>(self) -> Vec<f64> {
+        if self.options.quick { self.by::<T, 8>() } else { self.by::<T, 12>() }
+    }
+}
+
 /// The errors of all methods in all formats, on all cores.
-pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
+pub fn errors(truths: &Truths, options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
     let cases = wanted(options);
     let models = workers::map(&cases, progress, |case| {
-        progress.set_message(format!("{}, integrals over the disc", case.name));
-        models(case, options)
+        progress.set_message(format!("{}, models", case.name));
+        let pixels = case.pixels(options.seed, pixels(options)[1]);
+        gloss::models(case, pixels.zip(truths.levels(case, Format::F64).iter().copied()))
     });
     let contenders: Vec<_> = cases
         .iter()
@@ -67,7 +124,7 @@ pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
             Shading::ALL.into_iter().zip(models).map(move |(method, model)| (case, method, model))
         })
         .flat_map(|(case, method, model)| {
-            Format::ALL.map(|format| Judge { case, method, format, model: *model, options })
+            Format::ALL.map(|format| Judge { case, method, format, model: *model, truths, options })
         })
         .collect();
     workers::map(&contenders, progress, |&contender| {
@@ -77,21 +134,12 @@ pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
     })
 }
 
-fn models(case: &Case, options: &Options) -> [Found<9>; Shading::ALL.len()] {
-    let pixels = case.pixels(options.seed, pixels(options)[1]);
-    if options.quick {
-        gloss::models(case, pixels, &Quadrature::<8>::new())
-    } else {
-        gloss::models(case, pixels, &Quadrature::<12>::new())
-    }
-}
-
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBar) {
     for (case, rows) in wanted(options).iter().zip(rows.chunks_mut(CONTENDERS)) {
         progress.set_message(format!("timing, {}", case.name));
         let of_all = Shading::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
-        let contenders: Vec<_> = of_all.map(|(method, format)| contender(method, format, case)).collect();
+        let contenders: Vec<_> = of_all.map(|(method, format)| contender(method, format, case, Pace::Independent)).collect();
         let baseline = directions::baseline(&Light { name: case.name, light: case.light });
         let costs = clock::costs(&contenders, &baseline, rounds(options), progress);
         for (row, cost) in rows.iter_mut().zip(costs) {
@@ -100,8 +148,9 @@ pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBa
     }
 }
 
-fn contender(method: Shading, format: Format, case: &Case) -> Contender {
-    let build = |method| format.visit(Build { method, case });
+/// The calls of a method in a format on a surface under a light.
+pub fn contender(method: Shading, format: Format, case: &Case, pace: Pace) -> Contender {
+    let build = |method| format.visit(Build { method, case, pace });
     Contender { call: build(Some(method)), empty: build(None), inputs: ball().count() }
 }
 
@@ -125,6 +174,7 @@ pub fn ball_light() -> [f64; 3] {
 struct Build<'a> {
     method: Option<Shading>,
     case: &'a Case,
+    pace: Pace,
 }
 
 impl Visitor for Build<'_> {
@@ -132,9 +182,15 @@ impl Visitor for Build<'_> {
 
     fn visit<T: Real>(self) -> Batch {
         let pixels: Vec<_> = ball().map(|pixel| pixel.map(|vector| vector.map(T::from_f64))).collect();
-        match self.method {
-            Some(method) => method.visit(Calls { case: self.case, pixels }),
-            None => batch(pixels, |&[n, _]| n),
+        let Self { method, case, pace } = self;
+        match (method, pace) {
+            (Some(method), _) => method.visit(Calls { case, pixels, pace }),
+            (None, Pace::Independent) => pace.calls(pixels, |&[n, _]| n, lane_bits),
+            // An answer is a level, whose bits take as long to read here as there.
+            (None, Pace::Waiting) => {
+                let levels: Vec<_> = pixels.into_iter().map(|[[x, ..], _]| T::level(T::of_lane(x))).collect();
+                pace.calls(levels, |&level| level, level_bits::<T>)
+            }
         }
     }
 }
@@ -142,6 +198,7 @@ impl Visitor for Build<'_> {
 struct Calls<'a, T> {
     case: &'a Case,
     pixels: Vec<[[T; 3]; 2]>,
+    pace: Pace,
 }
 
 impl<T: Real> ShadingVisitor<T> for Calls<'_, T> {
@@ -150,7 +207,7 @@ impl<T: Real> ShadingVisitor<T> for Calls<'_, T> {
     fn visit<H: Highlight<T> + 'static>(self, method: Make<T, H>) -> Batch {
         let scene = gloss::scene(self.case, ball_light().map(T::from_f64), method)
             .expect("the cases are within every format's ranges");
-        batch(self.pixels, move |&[n, v]| scene.shade_channel(n, v, Channel::Green))
+        self.pace.calls(self.pixels, move |&[n, v]| scene.shade_channel(n, v, Channel::Green), level_bits::<T>)
     }
 }
 
@@ -160,6 +217,7 @@ struct Judge<'a> {
     method: Shading,
     format: Format,
     model: Found<9>,
+    truths: &'a Truths,
     options: &'a Options,
 }
 
@@ -167,8 +225,8 @@ impl Visitor for Judge<'_> {
     type Output = PixelRow;
 
     fn visit<T: Real>(self) -> PixelRow {
-        let Self { case, method, format, model, options } = self;
-        let error = gloss::arithmetic::<T>(method, &case, arithmetic(&case, options));
+        let Self { case, method, format, model, truths, options } = self;
+        let judged = Judged::of(method, &case, options, |lanes| gloss::level::<T>(method, &case, lanes));
         let input = gloss::input::<T>(method, &case, case.pixels(options.seed, pixels(options)[2]));
         let row = PixelRow {
             case: case.name.to_owned(),
@@ -194,7 +252,7 @@ impl Visitor for Judge<'_> {
             // The arithmetic comes next, costs later.
             ..PixelRow::default()
         };
-        with_arithmetic(row, format, &error)
+        bound::of_pixel(judged.row(row, format, truths.levels(&case, format)))
     }
 }
 
@@ -203,20 +261,58 @@ pub fn arithmetic(case: &Case, options: &Options) -> impl Iterator<Item = Pixel>
     case.pixels(options.seed, pixels(options)[0])
 }
 
-/// `row` with an arithmetic error, and the total that this makes with its model's.
-pub fn with_arithmetic(row: PixelRow, format: Format, error: &Found<9>) -> PixelRow {
-    let [worst_n, worst_v, worst_l] = [0, 3, 6].map(|first| bits(format, &error.worst[first..first + 3]));
-    PixelRow {
-        error_max: error.max,
-        error_rms: error.rms(),
-        total_max: error.max.hypot(row.model_max),
-        total_rms: error.rms().hypot(row.model_rms),
-        samples: error.samples,
-        failure: (!error.max.is_finite()).then(|| "NaN".to_owned()),
-        worst_n,
-        worst_v,
-        worst_l,
-        ..row
+/// What code made of the pixels, and its arithmetic error.
+pub struct Judged {
+    error: Found<9>,
+    /// Over the level of white.
+    levels: Vec<f64>,
+}
+
+impl Judged {
+    /// Of `code`, which computes what `method` does.
+    pub fn of<T: Real>(
+        method: Shading,
+        case: &Case,
+        options: &Options,
+        code: impl Fn([[T; 3]; 3]) -> f64,
+    ) -> Self {
+        let levels = RefCell::new(Vec::new());
+        let error = gloss::arithmetic_of_code(method, case, arithmetic(case, options), |lanes| {
+            let level = code(lanes);
+            levels.borrow_mut().push(level);
+            level
+        });
+        Self { error, levels: levels.into_inner() }
+    }
+
+    /// `row` with the arithmetic error, with the total that this makes with its model's, and with what a display shows
+    /// of the difference from the true levels.
+    pub fn row(&self, row: PixelRow, format: Format, truths: &[f64]) -> PixelRow {
+        let error = &self.error;
+        let [worst_n, worst_v, worst_l] = [0, 3, 6].map(|first| bits(format, &error.worst[first..first + 3]));
+        let shown = display::difference(self.levels.iter().zip(truths).map(|(&level, &truth)| [level, truth]));
+        let [steps8, steps10] = WHITES.map(|white| [white * shown.max, white * shown.rms]);
+        PixelRow {
+            error_max: error.max,
+            error_rms: error.rms(),
+            total_max: error.max.hypot(row.model_max),
+            total_rms: error.rms().hypot(row.model_rms),
+            samples: error.samples,
+            failure: (!error.max.is_finite()).then(|| "NaN".to_owned()),
+            worst_n,
+            worst_v,
+            worst_l,
+            error_p99: error.p99(),
+            error_bias: error.bias().unwrap_or(f64::NAN),
+            steps8_max: steps8[0],
+            steps8_rms: steps8[1],
+            steps10_max: steps10[0],
+            steps10_rms: steps10[1],
+            latency: f64::NAN,
+            bound_max: error.max,
+            bound_samples: error.samples,
+            ..row
+        }
     }
 }
 
@@ -237,7 +333,9 @@ mod tests {
     fn every_method_can_be_timed_in_every_format_in_every_case() {
         for case in &CASES {
             for format in Format::ALL {
-                Shading::ALL.into_iter().for_each(|method| (contender(method, format, case).call)());
+                for method in Shading::ALL {
+                    [Pace::Independent, Pace::Waiting].map(|pace| (contender(method, format, case, pace).call)());
+                }
             }
         }
     }

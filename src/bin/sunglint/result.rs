@@ -17,7 +17,7 @@ use crate::sweep::SweepRow;
 pub enum Bound {
     /// Every input has been tried.
     Exhaustive,
-    /// A search that climbs from the worst of a million inputs.
+    /// A search that goes uphill from random and from hard inputs, over half a million or more, and this run.
     Searched,
     /// The inputs of this run, from its seed, and hard ones.
     #[default]

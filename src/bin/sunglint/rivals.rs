@@ -13,7 +13,7 @@ use sunglint::{DistantSphere, Real, soft};
 use crate::author::{FORMULA, SOFT};
 use crate::directions;
 use crate::options::Options;
-use crate::result::{KernelRow, PixelRow, Row, Study};
+use crate::result::{Bound, KernelRow, PixelRow, Row, Study};
 use crate::workers;
 
 /// The light under which the peers were measured.
@@ -127,6 +127,15 @@ fn of_peers(rows: &[Row]) -> Vec<Row> {
             worst_angle: f64::NAN,
             worst_l: String::new(),
             worst_r: String::new(),
+            error_p99: f64::NAN,
+            error_bias: f64::NAN,
+            edge_max: f64::NAN,
+            edge_rms: f64::NAN,
+            latency: f64::NAN,
+            bound: Bound::Sampled,
+            bound_max: peer.error,
+            bound_samples: 0,
+            repro: String::new(),
             ..own.clone()
         })
     };

@@ -5,7 +5,7 @@ use sunglint::trial::chip::{self, Cost};
 use crate::author::{OURS, PIXEL_Q14, SOFT};
 use crate::axis::{Axis, Costs};
 use crate::chip::{ChipRow, Found};
-use crate::result::{KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
+use crate::result::{Bound, KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
 use crate::rivals::Rivals;
 
 /// Times on this machine.
@@ -38,6 +38,15 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         worst_angle: 0.01,
         worst_l: "0x3f800000 00000000 00000000".to_owned(),
         worst_r: "0x3f800000 3c000000 00000000".to_owned(),
+        error_p99: error * 0.9,
+        error_bias: error * -0.1,
+        edge_max: 100.0 * error / 0.004650484,
+        edge_rms: 40.0 * error / 0.004650484,
+        latency: cost * 1.5,
+        bound: Bound::Searched,
+        bound_max: error * 1.1,
+        bound_samples: 870_000,
+        repro: format!("sunglint repro {method} {format} --light 'Sun from Earth' --l '3f800000 0 0' --r '3f800000 0 0'"),
         ..Row::default()
     }
 }
@@ -106,6 +115,17 @@ pub fn pixel(method: &str, format: &str, cost: f64, error: f64) -> PixelRow {
         worst_n: "3f800000 00000000 00000000".to_owned(),
         worst_v: "3f800000 3c000000 00000000".to_owned(),
         worst_l: "3f800000 00000000 3c000000".to_owned(),
+        error_p99: error * 0.9,
+        error_bias: error * -0.1,
+        steps8_max: 12.0,
+        steps8_rms: 1.5,
+        steps10_max: 48.0,
+        steps10_rms: 6.0,
+        latency: cost * 1.1,
+        bound: Bound::Sampled,
+        bound_max: error,
+        bound_samples: 1000,
+        repro: format!("sunglint repro '{method}' {format} --light 'Sun, alpha 0.001' --n '0' --v '0' --l '0'"),
         ..PixelRow::default()
     }
 }
@@ -141,6 +161,12 @@ pub fn kernel(format: &str, error: f64) -> KernelRow {
         error_rms: error * 0.4,
         samples: 1000,
         worst_input: "v.x 0.25, v.y 0.5, v.z 0.125".to_owned(),
+        error_p99: error * 0.9,
+        error_bias: None,
+        bound: Bound::Exhaustive,
+        bound_max: error,
+        bound_samples: 4_294_967_296,
+        repro: format!("sunglint worst --method 'normalize' --format {format} --seed 1"),
         ..KernelRow::default()
     }
 }

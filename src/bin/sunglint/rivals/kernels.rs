@@ -9,7 +9,7 @@ use crate::author::SOFT;
 use crate::kernel::{Kernel, vectors};
 use crate::kernels;
 use crate::options::Options;
-use crate::result::KernelRow;
+use crate::result::{Bound, KernelRow};
 
 /// Steps of the progress bar.
 pub const STEPS: usize = 2;
@@ -29,7 +29,9 @@ pub fn errors(rows: &[KernelRow], options: &Options, progress: &ProgressBar) -> 
 /// The row of a format's own code, with the error of f32 in integers.
 fn of_soft<const INPUTS: usize>(rows: &[KernelRow], kernel: Kernel, found: &Found<INPUTS>) -> Option<KernelRow> {
     let own = rows.iter().find(|row| row.kernel == kernel.name() && row.format == Format::F32.name())?;
-    Some(kernels::with_errors(KernelRow { by: SOFT, ..own.clone() }, kernel.measured(found)))
+    // What is proved or searched is the format's own code.
+    let own = KernelRow { by: SOFT, bound: Bound::Sampled, repro: String::new(), ..own.clone() };
+    Some(kernels::with_errors(own, kernel.measured(found)))
 }
 
 /// What the crate `tests/peers` has found, where the study has that building block.
@@ -45,6 +47,12 @@ fn of_peer(rows: &[KernelRow], peer: &peers::Peer) -> Option<KernelRow> {
         error_rms: f64::NAN,
         samples: 0,
         worst_input: String::new(),
+        error_p99: f64::NAN,
+        error_bias: None,
+        bound: Bound::Sampled,
+        bound_max: peer.error,
+        bound_samples: 0,
+        repro: String::new(),
         ..own.clone()
     })
 }
