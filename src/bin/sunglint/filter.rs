@@ -18,8 +18,10 @@ use crate::kernel::Kernel;
 /// What is measured: all of it where nothing is named.
 #[derive(Args, Clone, Debug)]
 pub struct Filter {
-    /// Measure only this direction, highlight, building block or quantity; may be given several times. `sunglint list`
-    /// has the names
+    /// Measure only this method; may be given several times
+    ///
+    /// The name of a direction method, a highlight method, a building block or a light quantity, as `sunglint list`
+    /// prints it, in upper or lower case.
     #[arg(long, value_name = "NAME", ignore_case = true, value_parser = named(methods()), hide_possible_values = true)]
     pub method: Vec<&'static str>,
 
@@ -27,22 +29,27 @@ pub struct Filter {
     #[arg(long, value_name = "NAME", ignore_case = true, value_parser = format_name())]
     pub format: Vec<Format>,
 
-    /// Measure only directions, lit pixels and highlights whose light's name holds NAME, such as `mars`
-    /// or `lamp`; building blocks and light quantities have no light
+    /// Measure only under lights whose name holds NAME, such as `mars` or `lamp`
+    ///
+    /// Building blocks and light quantities have no light, and are measured all the same.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["ratio", "angle"])]
     pub light: Option<String>,
 
-    /// A light of your own in place of the study's: its radius over its distance, 0 to 1
+    /// A light of your own in place of the study's: radius over distance, 0 to 1
+    ///
+    /// Lit pixels and highlights need more than 0.
     #[arg(long, value_name = "X", value_parser = by_ratio, allow_negative_numbers = true, conflicts_with = "angle")]
     pub ratio: Option<Light>,
 
-    /// A light of your own by its diameter in the sky in degrees, 0 to 360, as UsdLux has it; lit pixels and highlights
-    /// take up to 180
+    /// The same by its diameter in the sky in degrees, 0 to 360 (UsdLux angle)
+    ///
+    /// Lit pixels and highlights take more than 0, up to 180.
     #[arg(long, value_name = "DEG", value_parser = by_angle, allow_negative_numbers = true)]
     pub angle: Option<Light>,
 
-    /// A roughness of your own in place of the study's, as GGX width: 0 or 5e-4 to 1. Lit pixels have it under the
-    /// Sun, or under --ratio or --angle
+    /// A roughness of your own in place of the study's: GGX width, 0 or 5e-4 to 1
+    ///
+    /// Lit pixels have it under the Sun, or under the light of --ratio or --angle.
     #[arg(long, value_name = "A", value_parser = width, allow_negative_numbers = true)]
     pub alpha: Option<f64>,
 }

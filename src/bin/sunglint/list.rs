@@ -103,6 +103,6 @@ mod tests {
             let about = |line: &str| line.trim_start().strip_prefix(&quoted(name)).is_some_and(|about| about.len() > 8);
             assert!(text.lines().any(about), "{name}\n{text}");
         }
-        assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
+        assert!(text.lines().all(|line| line.chars().count() <= 130), "{text}");
     }
 }

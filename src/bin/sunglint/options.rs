@@ -80,12 +80,13 @@ pub struct Options {
     #[arg(long, value_name = "DIR", default_value = "target/sunglint")]
     pub out: PathBuf,
 
-    /// Try fewer directions and pixels, with coarser integrals: a few seconds in place of a minute, less of the worst
-    /// cases
+    /// Try fewer inputs: a few seconds, but less of the worst cases
+    ///
+    /// Fewer directions and pixels, and coarser integrals.
     #[arg(long)]
     pub quick: bool,
 
-    /// Seed of the random directions; the same seed gives the same errors
+    /// Seed of the random inputs; the same seed gives the same errors
     #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
     pub seed: u64,
 
@@ -93,7 +94,7 @@ pub struct Options {
     #[command(flatten)]
     pub filter: Filter,
 
-    /// Show no progress and print no table, only the path of what was written
+    /// Show no progress; of `chart` print no table, only the path of the report
     #[arg(short, long)]
     pub quiet: bool,
 }

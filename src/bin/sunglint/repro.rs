@@ -27,36 +27,39 @@ pub struct Arguments {
     #[arg(ignore_case = true, value_parser = filter::format_name())]
     pub format: Format,
 
-    /// Full name of the light, for a lit pixel of the case, such as `Sun, alpha 0.001`; the Sun from Earth where no
-    /// light is given
+    /// Full name of the light, or for a lit pixel of the case, as `sunglint list` prints it
+    ///
+    /// Such as `Sun from Mars`, or `Sun, alpha 0.001`; a direction without a light is under the Sun from Earth.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["ratio", "angle", "alpha"])]
     pub light: Option<String>,
 
-    /// A light of your own: its radius over its distance, 0 to 1
+    /// A light of your own: radius over distance, 0 to 1
     #[arg(long, value_name = "X", value_parser = filter::by_ratio, allow_negative_numbers = true, conflicts_with = "angle")]
     pub ratio: Option<Light>,
 
-    /// A light of your own by its diameter in the sky in degrees, 0 to 360 (lit pixels: 180)
+    /// A light of your own by its diameter in the sky in degrees, 0 to 360
     #[arg(long, value_name = "DEG", value_parser = filter::by_angle, allow_negative_numbers = true)]
     pub angle: Option<Light>,
 
-    /// Roughness of a lit pixel as GGX width: 0 or 5e-4 to 1
+    /// Roughness of a lit pixel: GGX width, 0 or 5e-4 to 1
+    ///
+    /// Under the Sun, where no other light is given.
     #[arg(long, value_name = "A", value_parser = filter::width, allow_negative_numbers = true)]
     pub alpha: Option<f64>,
 
-    /// Direction to the light: the raw bits of x, y and z in hexadecimal, apart by spaces or commas
+    /// Direction to the light: raw bits of x, y and z in hexadecimal, such as '0 0 3c00'
     #[arg(long, value_name = "BITS")]
     pub l: String,
 
-    /// Mirror direction; for direction methods
+    /// Mirror direction, for direction methods
     #[arg(long, value_name = "BITS")]
     pub r: Option<String>,
 
-    /// Normal; for lit pixels
+    /// Normal, for lit pixels
     #[arg(long, value_name = "BITS")]
     pub n: Option<String>,
 
-    /// Direction to the viewer; for lit pixels
+    /// Direction to the viewer, for lit pixels
     #[arg(long, value_name = "BITS")]
     pub v: Option<String>,
 }
