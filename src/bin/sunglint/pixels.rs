@@ -30,8 +30,11 @@ const QUICK_PIXELS: [usize; 3] = [800, 400, 200];
 /// Pixels across the ball whose pixels make a batch.
 const SIDE: u32 = 32;
 
-/// Rows of a case.
-const CONTENDERS: usize = Shading::ALL.len() * Format::ALL.len();
+/// The methods and formats that were asked for, in the order of the rows of a case.
+fn of_all(options: &Options) -> Vec<(Shading, Format)> {
+    let of_all = Shading::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
+    of_all.filter(|(method, format)| options.wants_method(method.name()) && options.wants_format(*format)).collect()
+}
 
 /// Names of the cases, which begin with the light's.
 pub fn names() -> impl Iterator<Item = &'static str> {
@@ -40,12 +43,17 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 
 /// Steps of the progress bar.
 pub fn steps(options: &Options) -> usize {
-    wanted(options).len() * (Format::ALL.len() + 1 + CONTENDERS + rounds(options))
+    wanted(options).len() * (Format::ALL.len() + 1 + rounds(options)) + rows(options)
 }
 
-/// The cases that were asked for.
+/// How many rows there are.
+pub fn rows(options: &Options) -> usize {
+    wanted(options).len() * of_all(options).len()
+}
+
+/// The cases that were asked for; none where no lit pixel was.
 pub fn wanted(options: &Options) -> Vec<Case> {
-    CASES.into_iter().filter(|case| options.wants(case.name)).collect()
+    if of_all(options).is_empty() { Vec::new() } else { options.cases() }
 }
 
 fn pixels(options: &Options) -> [usize; 3] {
@@ -121,10 +129,9 @@ pub fn errors(truths: &Truths, options: &Options, progress: &ProgressBar) -> Vec
         .iter()
         .zip(&models)
         .flat_map(|(&case, models)| {
-            Shading::ALL.into_iter().zip(models).map(move |(method, model)| (case, method, model))
-        })
-        .flat_map(|(case, method, model)| {
-            Format::ALL.map(|format| Judge { case, method, format, model: *model, truths, options })
+            let judge =
+                move |(method, format)| Judge { case, method, format, model: models[method as usize], truths, options };
+            of_all(options).into_iter().map(judge)
         })
         .collect();
     workers::map(&contenders, progress, |&contender| {
@@ -136,10 +143,11 @@ pub fn errors(truths: &Truths, options: &Options, progress: &ProgressBar) -> Vec
 
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBar) {
-    for (case, rows) in wanted(options).iter().zip(rows.chunks_mut(CONTENDERS)) {
+    for (case, rows) in wanted(options).iter().zip(rows.chunks_mut(of_all(options).len().max(1))) {
         progress.set_message(format!("timing, {}", case.name));
-        let of_all = Shading::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
-        let contenders: Vec<_> = of_all.map(|(method, format)| contender(method, format, case, Pace::Independent)).collect();
+        let of_all = of_all(options).into_iter();
+        let contenders: Vec<_> =
+            of_all.map(|(method, format)| contender(method, format, case, Pace::Independent)).collect();
         let baseline = directions::baseline(&Light { name: case.name, light: case.light });
         let costs = clock::costs(&contenders, &baseline, rounds(options), progress);
         for (row, cost) in rows.iter_mut().zip(costs) {
