@@ -1,7 +1,13 @@
 //! Number formats that no type has, emulated: fixed point of any number of fraction bits, floats of any precision and
 //! range, with and without flushing of subnormals.
 
+mod fixed_point;
+mod narrow;
+
 use core::fmt;
+
+pub use fixed_point::FixedPoint;
+pub use narrow::Narrow;
 
 use super::format::{Format, Visitor};
 

@@ -1,0 +1,267 @@
+//! Emulated words against the types that some of them are: every operation, every method, bit for bit.
+
+use half::f16;
+use oorandom::Rand64;
+use sunglint::trial::emulated::Narrow;
+use sunglint::trial::gloss::{self, CASES};
+use sunglint::trial::lights::BUDGETED;
+use sunglint::trial::{Constants, Method, Shading, input};
+use sunglint::{DistantLight, Float, Real, Scalar};
+
+type Half = Narrow<11, 5, false>;
+type Single = Narrow<24, 8, false>;
+
+/// Random pairs that every operation is tried on.
+const PAIRS: usize = 10_000_000;
+
+/// Significands of `digits` digits, less the hidden one, where roundings go wrong: beside the ends, beside the middle,
+/// and those whose products and quotients lie beside a tie.
+fn significands(digits: u32) -> Vec<u64> {
+    let end = 1_u64 << (digits - 1);
+    let thirds = [end / 3, end / 3 + 1, 2 * end / 3, 2 * end / 3 + 1];
+    let roots = [0.414_213_562, 0.732_050_808].map(|root| (root * end as f64) as u64);
+    let mut all = vec![0, 1, 2, 3, end / 2 - 1, end / 2, end / 2 + 1, end - 3, end - 2, end - 1];
+    all.extend(thirds);
+    all.extend(roots.into_iter().flat_map(|root| [root, root + 1]));
+    all
+}
+
+/// Raw bits of a float: every exponent with each of [`significands`], of either sign.
+fn hard_bits(digits: u32, exponent: u32) -> Vec<u64> {
+    let exponents = (0..1_u64 << exponent).map(|bits| bits << (digits - 1));
+    let sizes = exponents.flat_map(|high| significands(digits).into_iter().map(move |low| high | low));
+    sizes.flat_map(|size| [size, size | 1 << (digits - 1 + exponent)]).collect()
+}
+
+/// The same bits but for those of a NaN.
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+}
+
+/// Sum, difference, product and quotient in two formats.
+fn assert_same_operations<A: Scalar, B: Scalar>(x: A, y: A) {
+    let [a, b] = [x, y].map(A::exact);
+    let [u, v] = [a, b].map(B::nearest);
+    let expected = [x + y, x - y, x * y, x / y].map(A::exact);
+    let found = [u + v, u - v, u * v, u / v].map(B::exact);
+    for (place, (expected, found)) in expected.into_iter().zip(found).enumerate() {
+        assert!(same(expected, found), "{a:e} {} {b:e}: {found:e}, not {expected:e}", ["+", "-", "*", "/"][place]);
+    }
+}
+
+fn assert_same_constants<A: Float, B: Float>() {
+    let of_a = [A::STEEP, A::SAFE_SQUARE, A::PI, A::TWICE_PI, A::INVERSE_PI].map(|pair| pair.map(A::exact));
+    let of_b = [B::STEEP, B::SAFE_SQUARE, B::PI, B::TWICE_PI, B::INVERSE_PI].map(|pair| pair.map(B::exact));
+    assert_eq!(of_a, of_b);
+    let of_a = [A::SCALE, A::TINY, A::SPLITTER, A::ONE, A::ZERO, A::MAX].map(A::exact);
+    let of_b = [B::SCALE, B::TINY, B::SPLITTER, B::ONE, B::ZERO, B::MAX].map(B::exact);
+    assert_eq!(of_a, of_b);
+    assert_eq!(A::NEAR_ONE, B::NEAR_ONE);
+}
+
+#[test]
+fn constants_are_those_of_f16_and_f32() {
+    assert_same_constants::<f16, Half>();
+    assert_same_constants::<f32, Single>();
+}
+
+/// Roots, hypotenuses, comparisons and fractions of 1 of every f16.
+#[test]
+fn all_numbers_of_f16() {
+    for bits in 0..=u16::MAX {
+        let value = f16::from_bits(bits);
+        let narrow = Half::nearest(value.to_f64());
+        assert!(same(narrow.exact(), value.to_f64()), "{value:e}");
+        assert!(same(narrow.root().exact(), value.root().to_f64()), "{value:e}");
+        assert_eq!(narrow.to_q31(), value.to_q31(), "{value:e}");
+        let fraction = u32::from(bits) * 65_537;
+        assert_eq!(Half::from_q31(fraction).exact(), f16::from_q31(fraction).to_f64());
+        for other in [0, 1, 0x3ff, 0x400, 0x3c00, 0x7bff, 0x7c00, 0xbc00].map(f16::from_bits) {
+            let narrow_other = Half::nearest(other.to_f64());
+            assert_eq!(narrow.partial_cmp(&narrow_other), value.partial_cmp(&other));
+            let [found, expected] =
+                [Half::hypotenuse(narrow, narrow_other).exact(), f16::hypotenuse(value, other).to_f64()];
+            assert!(same(found, expected), "{value:e}, {other:e}");
+        }
+    }
+}
+
+/// The nearest number to f64's on, halfway between and beside halfway between those of f16.
+#[test]
+fn conversions_are_those_of_f16() {
+    for bits in 0..0x7c00_u16 {
+        let [low, high] = [bits, bits + 1].map(|bits| f16::from_bits(bits).to_f64());
+        let halfway = if high.is_finite() { (low + high) / 2.0 } else { 65_520.0 };
+        for value in [low, low.next_up(), halfway.next_down(), halfway, halfway.next_up(), high.next_down(), 1e300] {
+            assert_eq!(Half::nearest(value).exact(), f16::nearest(value).to_f64(), "{value:e}");
+            assert_eq!(Half::nearest(-value).exact(), f16::nearest(-value).to_f64(), "{value:e}");
+        }
+    }
+}
+
+#[test]
+fn operations_are_those_of_f16() {
+    let hard: Vec<_> = hard_bits(11, 5).into_iter().map(|bits| f16::from_bits(bits as u16)).collect();
+    for &a in &hard {
+        hard.iter().for_each(|&b| assert_same_operations::<f16, Half>(a, b));
+    }
+    let mut source = Rand64::new(1);
+    for _ in 0..PAIRS {
+        let bits = source.rand_u64();
+        let [a, b] = [bits, bits >> 16].map(|bits| f16::from_bits(bits as u16));
+        assert_same_operations::<f16, Half>(a, b);
+    }
+}
+
+#[test]
+fn operations_are_those_of_f32() {
+    let hard: Vec<_> = hard_bits(24, 8).into_iter().map(|bits| f32::from_bits(bits as u32)).collect();
+    let mut source = Rand64::new(2);
+    let one_of = |source: &mut Rand64| hard[source.rand_range(0..hard.len() as u64) as usize];
+    for _ in 0..PAIRS / 2 {
+        let (a, b) = (one_of(&mut source), one_of(&mut source));
+        assert_same_operations::<f32, Single>(a, b);
+    }
+    for _ in 0..PAIRS {
+        let bits = source.rand_u64();
+        let [a, b] = [bits, bits >> 32].map(|bits| f32::from_bits(bits as u32));
+        assert_same_operations::<f32, Single>(a, b);
+        let narrow = Single::nearest(a.exact());
+        assert!(same(narrow.root().exact(), a.root().exact()), "{a:e}");
+        assert_eq!(narrow.to_q31(), a.to_q31());
+        assert_eq!(Single::from_q31(bits as u32).exact(), f64::from(f32::from_q31(bits as u32)));
+    }
+    // Near 1 and near each other, where sums cancel and quotients lie beside 1.
+    for _ in 0..PAIRS / 2 {
+        let bits = source.rand_u64();
+        let beside = |bits: u64| f32::from_bits(0x3f80_0000_u32.wrapping_add(bits as u32 >> 8));
+        assert_same_operations::<f32, Single>(beside(bits), beside(bits >> 32));
+    }
+}
+
+/// The nearest number of `digits` digits in the range of f16 or f32, by the standard library's rounding to integers;
+/// below the least normal one zero where `flushing`.
+fn nearest_by_rule(value: f64, digits: i32, exponent: u32, flushing: bool) -> f64 {
+    let most = (1 << (exponent - 1)) - 1;
+    let least = 1 - most;
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    let place = (libm::ilogb(value).max(least) - digits + 1) as f64;
+    let rounded = (value / place.exp2()).round_ties_even() * place.exp2();
+    if rounded.abs() >= f64::from(most + 1).exp2() {
+        f64::INFINITY.copysign(value)
+    } else if flushing && rounded.abs() < f64::from(least).exp2() {
+        0.0_f64.copysign(value)
+    } else {
+        rounded
+    }
+}
+
+/// Operations of a word on its own numbers against that rule.
+fn assert_rule<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool>() {
+    let hard = hard_bits(DIGITS, EXPONENT);
+    let [highest, cut] = [EXPONENT + DIGITS, DIGITS - 1];
+    let number = |bits: u64| {
+        let (sign, size) = (bits >> (highest - 1) & 1, bits & ((1 << (highest - 1)) - 1));
+        let bias = 1023 - ((1 << (EXPONENT - 1)) - 1);
+        let (power, low) = (size >> cut, size & ((1 << cut) - 1));
+        let value = match power {
+            0 => low as f64 * f64::from(2 - (1 << (EXPONENT - 1)) - cut as i32).exp2(),
+            power if power == (1 << EXPONENT) - 1 => f64::INFINITY,
+            power => f64::from_bits((power + bias) << 52 | low << (52 - cut)),
+        };
+        let flushed = FLUSHING && power == 0;
+        if flushed { 0.0 } else if sign == 1 { -value } else { value }
+    };
+    let mut source = Rand64::new(3);
+    for round in 0..PAIRS / 10 {
+        let any = |source: &mut Rand64| match round % 2 {
+            0 => source.rand_u64(),
+            _ => hard[source.rand_range(0..hard.len() as u64) as usize],
+        };
+        let [a, b] = [number(any(&mut source)), number(any(&mut source))];
+        let [u, v] = [a, b].map(Narrow::<DIGITS, EXPONENT, FLUSHING>::nearest);
+        assert_eq!([u, v].map(Scalar::exact), [a, b]);
+        let rule = |value| nearest_by_rule(value, DIGITS as i32, EXPONENT, FLUSHING);
+        let found = [u + v, u - v, u * v, u / v, u.root()].map(Scalar::exact);
+        let expected = [a + b, a - b, a * b, a / b, a.sqrt()].map(rule);
+        for (place, (found, expected)) in found.into_iter().zip(expected).enumerate() {
+            assert!(same(found, expected), "{a:e}, {b:e}, operation {place}: {found:e}, not {expected:e}");
+        }
+    }
+}
+
+#[test]
+fn other_words_round_by_the_rule() {
+    assert_rule::<8, 8, false>();
+    assert_rule::<8, 5, false>();
+    assert_rule::<14, 5, false>();
+    assert_rule::<18, 8, false>();
+    assert_rule::<23, 8, false>();
+}
+
+#[test]
+fn flushing_words_have_no_subnormal_numbers() {
+    assert_rule::<11, 5, true>();
+    assert_rule::<24, 8, true>();
+    assert_rule::<8, 8, true>();
+    assert_eq!(Narrow::<11, 5, true>::nearest(6.1e-5).exact(), 0.0);
+    assert_eq!(Half::nearest(6.1e-5).exact(), 1023.0 / 16_777_216.0);
+}
+
+/// Lights of the budgets and two beyond half the sky.
+fn lights() -> Vec<DistantLight> {
+    let wide = [270.0, 360.0].map(|angle| DistantLight::from_angle(angle).unwrap());
+    BUDGETED.into_iter().map(|light| light.light).chain(wide).collect()
+}
+
+/// Every direction method in two formats, on random pairs and hard ones.
+fn assert_same_directions<A: Real, B: Real>(methods: &[Method]) {
+    for light in lights() {
+        let theta = light.angular_radius();
+        let (of_a, of_b) = (Constants::<A>::of(&light), Constants::<B>::of(&light));
+        for pair in input::random(5, 20_000, theta).chain(input::hard(theta)) {
+            let [l, r] = [pair.l, pair.r].map(|v| v.map(A::from_f64));
+            let [m, s] = [l, r].map(|v| v.map(|lane| B::from_f64(lane.to_f64())));
+            for method in methods {
+                let expected = method.direction(l, r, &of_a).map(A::to_f64);
+                let found = method.direction(m, s, &of_b).map(B::to_f64);
+                let all = expected.into_iter().zip(found).all(|(expected, found)| same(expected, found));
+                assert!(all, "{} at {l:?}, {r:?}: {found:?}, not {expected:?}", method.name());
+            }
+        }
+    }
+}
+
+/// Every highlight method in two formats: the sum of all errors, the worst and its input, on whole pixels.
+fn assert_same_pixels<A: Real, B: Real>(count: usize) {
+    for case in CASES {
+        for shading in Shading::ALL {
+            let expected = gloss::arithmetic::<A>(shading, &case, case.pixels(5, count));
+            let found = gloss::arithmetic::<B>(shading, &case, case.pixels(5, count));
+            let [a, b] = [expected, found].map(|found| (found.max.to_bits(), found.rms().to_bits(), found.worst));
+            assert_eq!(a, b, "{}, {}", case.name, shading.name());
+        }
+    }
+}
+
+#[test]
+fn directions_are_those_of_f16() {
+    assert_same_directions::<f16, Half>(&Method::ALL);
+}
+
+#[test]
+fn directions_are_those_of_f32() {
+    assert_same_directions::<f32, Single>(&Method::ALL);
+}
+
+#[test]
+fn pixels_are_those_of_f16() {
+    assert_same_pixels::<f16, Half>(500);
+}
+
+#[test]
+fn pixels_are_those_of_f32() {
+    assert_same_pixels::<f32, Single>(500);
+}
