@@ -1,12 +1,14 @@
 //! Emulated words against the types that some of them are: every operation, every method, bit for bit.
 
+use fixed::types::{I2F14, I2F30, I16F16};
 use half::f16;
 use oorandom::Rand64;
-use sunglint::trial::emulated::Narrow;
+use sunglint::trial::emulated::{FixedPoint, Narrow};
+use sunglint::trial::formula;
 use sunglint::trial::gloss::{self, CASES};
 use sunglint::trial::lights::BUDGETED;
 use sunglint::trial::{Constants, Method, Shading, input};
-use sunglint::{DistantLight, Float, Real, Scalar};
+use sunglint::{DistantLight, Float, Real, Scalar, cap, reflect};
 
 type Half = Narrow<11, 5, false>;
 type Single = Narrow<24, 8, false>;
@@ -172,7 +174,13 @@ fn assert_rule<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool>() {
             power => f64::from_bits((power + bias) << 52 | low << (52 - cut)),
         };
         let flushed = FLUSHING && power == 0;
-        if flushed { 0.0 } else if sign == 1 { -value } else { value }
+        if flushed {
+            0.0
+        } else if sign == 1 {
+            -value
+        } else {
+            value
+        }
     };
     let mut source = Rand64::new(3);
     for round in 0..PAIRS / 10 {
@@ -234,10 +242,10 @@ fn assert_same_directions<A: Real, B: Real>(methods: &[Method]) {
     }
 }
 
-/// Every highlight method in two formats: the sum of all errors, the worst and its input, on whole pixels.
-fn assert_same_pixels<A: Real, B: Real>(count: usize) {
+/// Highlight methods in two formats: the sum of all errors, the worst and its input, on whole pixels.
+fn assert_same_pixels<A: Real, B: Real>(methods: &[Shading], count: usize) {
     for case in CASES {
-        for shading in Shading::ALL {
+        for &shading in methods {
             let expected = gloss::arithmetic::<A>(shading, &case, case.pixels(5, count));
             let found = gloss::arithmetic::<B>(shading, &case, case.pixels(5, count));
             let [a, b] = [expected, found].map(|found| (found.max.to_bits(), found.rms().to_bits(), found.worst));
@@ -258,10 +266,127 @@ fn directions_are_those_of_f32() {
 
 #[test]
 fn pixels_are_those_of_f16() {
-    assert_same_pixels::<f16, Half>(500);
+    assert_same_pixels::<f16, Half>(&Shading::ALL, 500);
 }
 
 #[test]
 fn pixels_are_those_of_f32() {
-    assert_same_pixels::<f32, Single>(500);
+    assert_same_pixels::<f32, Single>(&Shading::ALL, 500);
+}
+
+/// The same number in another format, which holds it.
+fn exactly<A: Real, B: Real>(v: [A; 3]) -> [B; 3] {
+    v.map(|lane| B::from_f64(lane.to_f64()))
+}
+
+/// What two fixed-point formats do with vectors of any length, lane by lane and as wide scalars, of which `wide` and
+/// `narrow` are one number in both.
+fn assert_same_steps<A: Real<Wide: Into<i64>, Scalar = B::Scalar>, B: Real<Wide = i64>>(wide: impl Fn(i64) -> A::Wide) {
+    let mut source = Rand64::new(7);
+    let end = A::to_f64(A::from_f64(f64::MAX));
+    assert_eq!([end, -2.0], [f64::MAX, f64::MIN].map(|value| B::from_f64(value).to_f64()));
+    assert_eq!(
+        [A::STEEP, [A::WIDE_ONE, A::WIDE_MAX]].map(|pair| pair.map(Into::into)),
+        [B::STEEP, [B::WIDE_ONE, B::WIDE_MAX]]
+    );
+    for _ in 0..200_000 {
+        let size = f64::from(1_u32 << source.rand_range(0..16)).recip();
+        let mut any = || A::from_f64(size * (4.0 * source.rand_float() - 2.0));
+        let (a, b) = ([any(), any(), any()], [any(), any(), any()]);
+        let (u, v) = (exactly::<A, B>(a), exactly::<A, B>(b));
+        let [dot, square] = [A::dot(a, b), A::square(a)];
+        assert_eq!([dot, square].map(Into::into), [B::dot(u, v), B::square(u)]);
+        assert_eq!(A::twice(dot).into(), B::twice(B::dot(u, v)));
+        assert_eq!(exactly::<A, B>(A::diff(dot, a, A::WIDE_ONE, b)), B::diff(dot.into(), u, B::WIDE_ONE, v));
+        let (large, exponent) = A::magnify(a);
+        assert_eq!((exactly::<A, B>(large), exponent), B::magnify(u));
+        let [add, sub] = [A::add(a[0], b[0]), A::sub(a[0], b[0])];
+        assert_eq!([add, sub].map(A::to_f64), [B::add(u[0], v[0]), B::sub(u[0], v[0])].map(B::to_f64));
+        let constant = 10.0 * source.rand_float() - 5.0;
+        assert_eq!(A::wide(constant).into(), B::wide(constant));
+        assert_eq!(A::square_of(constant).into(), B::square_of(constant));
+        let limit = source.rand_u64() as i64 >> source.rand_range(0..64);
+        let limit = A::WIDE_ONE.into() & limit | A::wide(0.01).into() & limit;
+        let turns = source.rand_range(0..34) as u32;
+        assert_eq!(A::within(square, turns, wide(limit)), B::within(square.into(), turns, limit));
+        let scalar = A::scalar(dot);
+        assert_eq!(scalar, B::scalar(dot.into()));
+        assert_eq!(A::narrow(scalar).into(), B::narrow(scalar));
+        let wider = A::Scalar::nearest(1e5 * constant);
+        assert_eq!(A::narrow(wider).into(), B::narrow(wider));
+        assert_eq!(A::lane(scalar).to_f64(), B::lane(scalar).to_f64());
+        assert_eq!(A::of_lane(a[0]), B::of_lane(u[0]));
+        for level in [scalar, wider, A::Scalar::nearest(1e12)] {
+            assert_eq!(A::of_level(A::level(level)), B::of_level(B::level(level)));
+        }
+        if square.into() != 0 {
+            let rim = A::rim(a, A::wide(0.01), b, A::square(b), A::wide(0.14));
+            assert_eq!(exactly::<A, B>(rim), B::rim(u, B::wide(0.01), v, B::square(v), B::wide(0.14)));
+        }
+    }
+}
+
+#[test]
+fn steps_are_those_of_i2f14() {
+    assert_same_steps::<I2F14, FixedPoint<14>>(|wide| wide as i32);
+}
+
+#[test]
+fn steps_are_those_of_i2f30() {
+    assert_same_steps::<I2F30, FixedPoint<30>>(|wide| wide);
+}
+
+/// `cap` by the formula and `reflect` bit for bit; what ends with a unit vector within a step, since those formats make
+/// it by hand, and within two where it is made of one as well.
+fn assert_same_formulas<A: Real, B: Real>(step: f64) {
+    for light in lights() {
+        let theta = light.angular_radius();
+        let (of_a, of_b) = (Constants::<A>::of(&light), Constants::<B>::of(&light));
+        for pair in input::random(6, 20_000, theta).chain(input::hard(theta)) {
+            let [l, r] = [pair.l, pair.r].map(|v| v.map(A::from_f64));
+            let [m, s] = [exactly::<A, B>(l), exactly(r)];
+            assert_eq!(exactly::<A, B>(formula::cap(l, r, &of_a.sphere)), cap(m, s, &of_b.sphere), "{l:?}, {r:?}");
+            assert_eq!(exactly::<A, B>(reflect(l, r)), reflect(m, s), "{l:?}, {r:?}");
+            for (method, steps) in [(Method::Factored, 1.0), (Method::Disc, 2.0), (Method::Epic, 1.0)] {
+                let [a, b] =
+                    [method.direction(l, r, &of_a).map(A::to_f64), method.direction(m, s, &of_b).map(B::to_f64)];
+                let near = a.into_iter().zip(b).all(|(a, b)| (a - b).abs() <= steps * step);
+                assert!(near, "{} at {l:?}, {r:?}: {b:?}, not {a:?}", method.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn formulas_are_those_of_i2f14() {
+    assert_same_formulas::<I2F14, FixedPoint<14>>(1.0 / 16_384.0);
+}
+
+#[test]
+fn formulas_are_those_of_i2f30() {
+    assert_same_formulas::<I2F30, FixedPoint<30>>(1.0 / 1_073_741_824.0);
+}
+
+/// I16F16 does nothing by hand, and unit vectors leave its integer bits empty.
+#[test]
+fn directions_are_those_of_i16f16() {
+    assert_same_directions::<I16F16, FixedPoint<16>>(&[Method::Factored, Method::Disc, Method::Cap]);
+}
+
+#[test]
+fn pixels_are_those_of_i16f16() {
+    assert_same_pixels::<I16F16, FixedPoint<16>>(&Shading::ALL, 500);
+}
+
+/// Highlights that ask neither for `cap` nor for a unit vector.
+const OVER_THE_DISC: [Shading; 3] = [Shading::DiscGgx, Shading::Directional, Shading::ConeGgx];
+
+#[test]
+fn pixels_are_those_of_i2f14() {
+    assert_same_pixels::<I2F14, FixedPoint<14>>(&OVER_THE_DISC, 500);
+}
+
+#[test]
+fn pixels_are_those_of_i2f30() {
+    assert_same_pixels::<I2F30, FixedPoint<30>>(&OVER_THE_DISC, 500);
 }

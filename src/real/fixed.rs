@@ -103,13 +103,7 @@ pub(crate) fn normalize<const F: u32>(v: Lanes) -> Lanes {
 
 /// Squared sine and cosines of the half vector from integers alone: cross and dot products are exact.
 #[inline]
-pub(crate) fn halfway<const F: u32>(
-    n: Lanes,
-    l: Lanes,
-    v: Lanes,
-    gain: Scaled,
-    in_plane: bool,
-) -> Halfway<Scaled> {
+pub(crate) fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled, in_plane: bool) -> Halfway<Scaled> {
     let (exponent, twice) = const { (-(F as i32), -2 * F as i32) };
     let sum = zip(l, v, |l, v| i64::from(l) + i64::from(v));
     let square = sum_of_squares(each(sum, |lane| Scaled::from_bits(lane, exponent)));
