@@ -26,6 +26,7 @@ pub mod sampling;
 pub mod search;
 pub mod shading;
 pub mod shadow;
+pub mod spread;
 pub mod worst;
 
 pub use draw::Draw;
@@ -35,3 +36,4 @@ pub use judge::{Judgement, Worst, judge, judge_code};
 pub use lights::Light;
 pub use method::{Constants, Method};
 pub use shading::{Make, Shading, ShadingVisitor};
+pub use spread::Spread;

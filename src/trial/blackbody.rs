@@ -45,34 +45,34 @@ pub fn relative<S: Scalar>(law: Law, ratio: S) -> S {
     }
 }
 
-/// Absolute error at a ratio, and the truth there.
+/// The difference from the truth at a ratio, and the truth there.
 pub fn error_at<S: Scalar>(law: Law, ratio: S) -> [f64; 2] {
     let truth = law.relative(ratio.exact());
-    [(relative(law, ratio).exact() - truth).abs(), truth]
+    [relative(law, ratio).exact() - truth, truth]
 }
 
 /// Relative error over [`SPAN`]; ratios as the light levels of the format hold them.
 pub fn relative_error<T: Real>(law: Law, seed: u64, count: usize) -> Found {
     let [least, most] = SPAN[law as usize];
-    found(seed, count, [[least, most]], |[ratio]| {
+    found(seed, count, [[least, most]], |found, [ratio]| {
         let ratio = held::<T>(ratio);
         let [error, truth] = error_at(law, ratio);
-        (error / truth, [ratio.exact(), 0.0, 0.0, 0.0, 0.0, 0.0])
+        found.add_signed(error / truth, [ratio.exact(), 0.0, 0.0, 0.0, 0.0, 0.0]);
     })
 }
 
 /// Absolute error over ratios from 2^-16 to 60 000; as the light levels of the format hold them.
 pub fn absolute_error<T: Real>(law: Law, seed: u64, count: usize) -> Found {
-    found(seed, count, [[1.0 / 65_536.0, 60_000.0]], |[ratio]| {
+    found(seed, count, [[1.0 / 65_536.0, 60_000.0]], |found, [ratio]| {
         let ratio = held::<T>(ratio);
         let [error, _] = error_at(law, ratio);
-        (error, [ratio.exact(), 0.0, 0.0, 0.0, 0.0, 0.0])
+        found.add_signed(error, [ratio.exact(), 0.0, 0.0, 0.0, 0.0, 0.0]);
     })
 }
 
 /// Absolute error of the levels of [`tint`], for 0.8 to 40 kK and wavelengths of 0.38 to 0.78 micrometres.
 pub fn tint_error<T: Real>(seed: u64, count: usize) -> Found {
-    found(seed, count, [[0.8, 40.0], [0.38, 0.78], [0.38, 0.78], [0.38, 0.78]], |input| {
+    found(seed, count, [[0.8, 40.0], [0.38, 0.78], [0.38, 0.78], [0.38, 0.78]], |found, input| {
         let [temperature, wavelengths @ ..] = input.map(held::<T>);
         let kelvins = 1000.0 * temperature.exact();
         let truth = wavelengths.map(|wavelength| Law::Wavelength.radiance(1e-6 * wavelength.exact(), kelvins));
@@ -80,7 +80,7 @@ pub fn tint_error<T: Real>(seed: u64, count: usize) -> Found {
         let levels = tint(temperature, wavelengths).map(Scalar::exact);
         let error = worst(levels.iter().zip(truth).map(|(level, truth)| (level - truth / greatest).abs()));
         let [a, b, c] = wavelengths.map(Scalar::exact);
-        (error, [temperature.exact(), a, b, c, 0.0, 0.0])
+        found.add(error, [temperature.exact(), a, b, c, 0.0, 0.0]);
     })
 }
 
@@ -98,13 +98,14 @@ pub const DOMAIN: [[f64; 2]; 2] = [[1e-8, 100.0], [3e6, 3e16]];
 /// Relative error of the law in SI units over one more than the exponent, from 10 to 1e6 K, where the answer is a
 /// normal number of f32.
 pub fn spectral_error<S: WideRange>(law: Law, seed: u64, count: usize) -> Found {
-    found(seed, count, [DOMAIN[law as usize], [10.0, 1e6]], |input| {
+    found(seed, count, [DOMAIN[law as usize], [10.0, 1e6]], |found, input| {
         let [at, temperature] = input.map(S::nearest);
         let truth = law.radiance(at.exact(), temperature.exact());
         let normal = truth >= f64::from(f32::MIN_POSITIVE) && truth <= f64::from(f32::MAX);
-        let error = (spectral(law, at, temperature).exact() - truth).abs() / truth;
+        let error = (spectral(law, at, temperature).exact() - truth) / truth;
         let bound = 1.0 + law.exponent(at.exact(), temperature.exact());
-        (if normal { error / bound } else { 0.0 }, [at.exact(), temperature.exact(), 0.0, 0.0, 0.0, 0.0])
+        let error = if normal { error / bound } else { 0.0 };
+        found.add_signed(error, [at.exact(), temperature.exact(), 0.0, 0.0, 0.0, 0.0]);
     })
 }
 
@@ -113,18 +114,17 @@ fn held<T: Real>(value: f64) -> T::Scalar {
     T::of_level(T::level(T::Scalar::nearest(value)))
 }
 
-/// The error at `count` random inputs, the logarithm of each spread evenly between two ends.
+/// The errors that `add` adds at `count` random inputs, the logarithm of each spread evenly between two ends.
 fn found<const N: usize>(
     seed: u64,
     count: usize,
     ends: [[f64; 2]; N],
-    error: impl Fn([f64; N]) -> (f64, [f64; 6]),
+    add: impl Fn(&mut Found, [f64; N]),
 ) -> Found {
     let mut source = Rand64::new(u128::from(seed));
     let mut found = Found::new();
     for _ in 0..count {
-        let (error, input) = error(ends.map(|[least, most]| least * libm::pow(most / least, source.rand_float())));
-        found.add(error, input);
+        add(&mut found, ends.map(|[least, most]| least * libm::pow(most / least, source.rand_float())));
     }
     found
 }

@@ -67,8 +67,8 @@ pub fn lambert_error<T: Real>(seed: u64, count: usize) -> Found {
         let [level_value, cosine] = [T::of_level(level), T::scalar(n_dot_l)].map(T::Scalar::exact);
         let truth = albedo.to_f64() / PI * level_value * cosine.max(0.0);
         let answer = T::of_level(lambert(albedo, level, n_dot_l)).exact();
-        let error = libm::fabs(answer - truth) / level_unit::<T>(truth);
-        found.add(error, [albedo.to_f64(), level_value, cosine, 0.0, 0.0, 0.0]);
+        let error = (answer - truth) / level_unit::<T>(truth);
+        found.add_signed(error, [albedo.to_f64(), level_value, cosine, 0.0, 0.0, 0.0]);
     }
     found
 }
@@ -121,7 +121,7 @@ pub fn vectors_error<T: Real>(light: &DistantLight, seed: u64, count: usize) -> 
         let n_dot_l = T::dot(pair.l.map(T::from_f64), l.map(T::from_f64));
         let answer = relative_illuminance(n_dot_l, &sphere).exact();
         let truth = oracle::relative_illuminance(sine, light.sin(), light.cos());
-        found.add(libm::fabs(answer - truth) / unit, [sine, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        found.add_signed((answer - truth) / unit, [sine, 0.0, 0.0, 0.0, 0.0, 0.0]);
     }
     found
 }
@@ -153,7 +153,7 @@ fn over<T: Real>(
     for n_dot_l in cosines {
         let cosine = T::scalar(n_dot_l).exact();
         let truth = truth(cosine, x);
-        found.add(libm::fabs(kernel(n_dot_l) - truth) / truth.max(least), [cosine, x, light.cos(), 0.0, 0.0, 0.0]);
+        found.add_signed((kernel(n_dot_l) - truth) / truth.max(least), [cosine, x, light.cos(), 0.0, 0.0, 0.0]);
     }
     found
 }

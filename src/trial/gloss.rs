@@ -121,7 +121,7 @@ pub fn arithmetic_of_code<T: Real>(
         let (lanes, exact) = rounded::<T>(&pixel);
         let value = code(lanes);
         let truth = truth::<T>(shading, case, &exact);
-        found.add((value / truth - 1.0).abs(), inputs(&exact));
+        found.add_signed(value / truth - 1.0, inputs(&exact));
     }
     found
 }
@@ -148,8 +148,8 @@ pub fn input<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item 
     let mut found = Found::new();
     for pixel in pixels {
         let (_, exact) = rounded::<T>(&pixel);
-        found
-            .add((truth::<T>(shading, case, &exact) / truth::<f64>(shading, case, &pixel) - 1.0).abs(), inputs(&exact));
+        let ratio = truth::<T>(shading, case, &exact) / truth::<f64>(shading, case, &pixel);
+        found.add_signed(ratio - 1.0, inputs(&exact));
     }
     found
 }
@@ -166,7 +166,7 @@ pub fn models<const N: usize>(
     for pixel in pixels {
         let whole = diffuse(case, &pixel, ALBEDO) + PI * rule.highlight(&case.glossy::<f64>(), &pixel);
         for (found, shading) in found.iter_mut().zip(Shading::ALL) {
-            found.add((truth::<f64>(shading, case, &pixel) / whole - 1.0).abs(), inputs(&pixel));
+            found.add_signed(truth::<f64>(shading, case, &pixel) / whole - 1.0, inputs(&pixel));
         }
     }
     found

@@ -2,6 +2,7 @@
 
 use super::input::Pair;
 use super::method::{Constants, Method};
+use super::spread::Spread;
 use crate::light::DistantLight;
 use crate::oracle;
 use crate::real::Real;
@@ -31,6 +32,11 @@ pub struct Judgement<T> {
     pub worst: Worst<T>,
     /// Mean of the squared arithmetic error.
     pub mean_square: f64,
+    /// How the arithmetic errors spread: over all pairs, random and hard ones alike.
+    pub spread: Spread,
+    /// Mean of the signed arithmetic error: how much farther from the light's centre the answer lies than the exact
+    /// value.
+    pub bias: f64,
     /// Worst model error: the exact value of the formula against the nearest direction of the disc.
     pub model_max: f64,
     /// Mean of the squared model error.
@@ -47,6 +53,11 @@ pub struct Judgement<T> {
     /// Worst arithmetic error in units of the angular radius where `r` is within ten radii of the light (and 90
     /// degrees): how far off the disc is drawn. From [`DISC_LOST`] on the disc is lost.
     pub disc_lost: f64,
+    /// Worst error of the drawn edge, in units of the angular radius: how much farther out or in than the disc's nearest
+    /// point the answer lies, where `r` is as near to the light as that.
+    pub edge_max: f64,
+    /// Mean of the squared error of the edge.
+    pub edge_mean_square: f64,
 }
 
 /// Half a radius.
@@ -79,6 +90,8 @@ pub fn judge_code<T: Real>(
         undirected: 0,
         worst: Worst { error: 0.0, l: zero, r: zero },
         mean_square: 0.0,
+        spread: Spread::new(),
+        bias: 0.0,
         model_max: 0.0,
         model_mean_square: 0.0,
         total_max: 0.0,
@@ -86,8 +99,10 @@ pub fn judge_code<T: Real>(
         input_max: 0.0,
         input_mean_square: 0.0,
         disc_lost: 0.0,
+        edge_max: 0.0,
+        edge_mean_square: 0.0,
     };
-    let mut facing = 0_u64;
+    let (mut facing, mut near) = (0_u64, 0_u64);
     for pair in pairs {
         let (l, r) = (pair.l.map(T::from_f64), pair.r.map(T::from_f64));
         if let Some(error) = input_error(pair, l.map(T::to_f64), r.map(T::to_f64), light) {
@@ -97,7 +112,7 @@ pub fn judge_code<T: Real>(
         }
         let answer = code(l, r).map(T::to_f64);
         if method.is_defined(l.map(T::to_f64), r.map(T::to_f64), light, epsilon) {
-            add(&mut sum, method, light, Worst { error: 0.0, l, r }, answer);
+            near += u64::from(add(&mut sum, method, light, Worst { error: 0.0, l, r }, answer));
         } else {
             sum.excluded += 1;
         }
@@ -105,9 +120,11 @@ pub fn judge_code<T: Real>(
     let mean = |total: f64| total / (sum.samples - sum.undirected).max(1) as f64;
     Judgement {
         mean_square: mean(sum.mean_square),
+        bias: mean(sum.bias),
         model_mean_square: mean(sum.model_mean_square),
         total_mean_square: mean(sum.total_mean_square),
         input_mean_square: sum.input_mean_square / facing.max(1) as f64,
+        edge_mean_square: sum.edge_mean_square / near.max(1) as f64,
         ..sum
     }
 }
@@ -120,7 +137,8 @@ fn input_error(pair: Pair, l: [f64; 3], r: [f64; 3], light: &DistantLight) -> Op
     facing.then(|| oracle::angle_between(oracle::nearest_in_disc(l, r, theta), before()))
 }
 
-fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at: Worst<T>, answer: [f64; 3]) {
+/// Takes in an answer; whether that is a direction near the disc.
+fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at: Worst<T>, answer: [f64; 3]) -> bool {
     if sum.samples == 0 {
         sum.worst = at;
     }
@@ -128,23 +146,32 @@ fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at
     // The zero vector has no direction, and atan2 would find no angle in it.
     if !answer.into_iter().all(f64::is_finite) || answer == [0.0; 3] {
         sum.undirected += 1;
-        return;
+        return false;
     }
-    let (l, r) = (at.l.map(T::to_f64), at.r.map(T::to_f64));
+    let (l, r, theta) = (at.l.map(T::to_f64), at.r.map(T::to_f64), light.angular_radius());
     let exact = method.truth(l, r, light);
-    let nearest = oracle::nearest_in_disc(l, r, light.angular_radius());
+    let nearest = oracle::nearest_in_disc(l, r, theta);
     let error = oracle::angle_between(answer, exact);
     let model = oracle::angle_between(exact, nearest);
     let total = oracle::angle_between(answer, nearest);
+    let out = oracle::angle_between(l, answer);
     sum.mean_square += error * error;
     sum.model_mean_square += model * model;
     sum.total_mean_square += total * total;
+    sum.spread.add(error);
+    sum.bias += out - oracle::angle_between(l, exact);
     if error > sum.worst.error {
         sum.worst = Worst { error, ..at };
     }
     sum.model_max = sum.model_max.max(model);
     sum.total_max = sum.total_max.max(total);
-    if oracle::angle_between(l, r) <= (10.0 * light.angular_radius()).min(core::f64::consts::FRAC_PI_2) {
-        sum.disc_lost = sum.disc_lost.max(error / light.angular_radius());
+    let away = oracle::angle_between(l, r);
+    let near = away <= (10.0 * theta).min(core::f64::consts::FRAC_PI_2);
+    if near {
+        let edge = libm::fabs(out - away.min(theta)) / theta;
+        sum.disc_lost = sum.disc_lost.max(error / theta);
+        sum.edge_max = sum.edge_max.max(edge);
+        sum.edge_mean_square += edge * edge;
     }
+    near
 }

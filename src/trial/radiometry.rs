@@ -123,7 +123,7 @@ impl Formula {
             let inside = self == Self::SmallSphere && truth[0] < 1.01;
             if (1e-4..=6e4).contains(&truth[0]) && !inside {
                 let error = relative_error(self.compute(levels, cosines).exact(), truth);
-                found.add(error, [a, b, c, d, cos, other]);
+                found.add_signed(error, [a, b, c, d, cos, other]);
             }
         }
         found

@@ -78,15 +78,14 @@ pub fn error<T: Real>(light: &DistantLight, occluder: Occluder, count: u32, seed
         let [visible, cosine] = [seen.visible, seen.cosine].map(Scalar::exact);
         // Of the directions as rounded.
         let zenith = oracle::angle_between(l.map(T::to_f64), n.map(T::to_f64));
-        let error = match occluder {
-            Occluder::Horizon => {
-                let share = overlap(theta, FRAC_PI_2, zenith) / oracle::cone::solid_angle(theta);
-                let most = libm::cos((zenith - theta).max(0.0));
-                worse((visible - share).abs(), (cosine - mean_cosine(theta, zenith)).abs() / most)
-            }
-            _ => (visible - scene.visible(theta)).abs(),
-        };
-        found.add(error, [visible, cosine, scene.offset, scene.radius, zenith, first.into()]);
+        let inputs = [visible, cosine, scene.offset, scene.radius, zenith, first.into()];
+        if occluder == Occluder::Horizon {
+            let share = overlap(theta, FRAC_PI_2, zenith) / oracle::cone::solid_angle(theta);
+            let most = libm::cos((zenith - theta).max(0.0));
+            found.add(worse((visible - share).abs(), (cosine - mean_cosine(theta, zenith)).abs() / most), inputs);
+        } else {
+            found.add_signed(visible - scene.visible(theta), inputs);
+        }
     }
     found
 }

@@ -1,5 +1,7 @@
 //! The worst inputs that [`search`](super::search) has found, as raw bits: what the budgets of directions are tied to.
 
+pub mod kernels;
+
 use super::aim::{Aim, Candidate, Cell, Place};
 use super::format::Format;
 use super::input::Pair;

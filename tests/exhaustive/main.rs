@@ -3,7 +3,7 @@
 //!
 //! `cargo test` tries the recorded worst inputs again. All inputs, half an hour on two cores: `cargo test --release
 //! --test exhaustive -- --ignored --nocapture --test-threads 1`; `SUNGLINT_RECORD=1` prints lines for
-//! `tests/worst/kernels.csv` (the day is to be put in place of the time taken) and does not ask for those that are
+//! `src/trial/worst/kernels.csv` (the day is to be put in place of the time taken) and does not ask for those that are
 //! there.
 
 #[path = "../exact/mod.rs"]
@@ -15,32 +15,7 @@ mod run;
 
 use kernels::Kernel;
 use run::Worst;
-
-/// What was found when all inputs were tried, and the day.
-const RECORDED: &str = include_str!("../worst/kernels.csv");
-
-struct Record {
-    name: String,
-    format: String,
-    count: u64,
-    worst: Worst,
-    bound: f64,
-}
-
-fn records() -> Vec<Record> {
-    let record = |line: &str| {
-        let [name, format, count, bits, error, bound, _unit, _date] =
-            line.split(';').collect::<Vec<_>>().try_into().unwrap_or_else(|_| panic!("{line}"));
-        Record {
-            name: name.into(),
-            format: format.into(),
-            count: count.parse().unwrap(),
-            worst: Worst { error: error.parse().unwrap(), bits: u64::from_str_radix(&bits[2..], 16).unwrap() },
-            bound: bound.parse().unwrap(),
-        }
-    };
-    RECORDED.lines().skip(1).map(record).collect()
-}
+use sunglint::trial::worst::kernels::{Proof, TABLE, proofs};
 
 /// To four digits.
 fn digits(error: f64) -> String {
@@ -69,39 +44,38 @@ fn prove(name: &str) {
         }
         assert!(worst.error <= kernel.bound && worst.error >= kernel.bound / 4.0, "{worst:x?}");
         let record =
-            records().into_iter().find(|record| record.name == name && record.format == kernel.format).unwrap();
-        assert_eq!([count(kernel), worst.bits], [record.count, record.worst.bits], "{name} in {}", kernel.format);
-        assert_eq!(digits(worst.error), digits(record.worst.error), "{name} in {}", kernel.format);
+            proofs().find(|record| record.kernel == name && record.format == kernel.format).unwrap();
+        assert_eq!([count(kernel), worst.bits], [record.inputs, record.bits], "{name} in {}", kernel.format);
+        assert_eq!(digits(worst.error), digits(record.error), "{name} in {}", kernel.format);
     }
 }
 
 #[test]
 fn recorded_worst_cases_are_as_recorded_and_bounds_are_tight() {
-    let records = records();
     let kernels = kernels::all();
-    let named = |name: &str, format: &str| records.iter().find(|record| record.name == name && record.format == format);
+    let named = |name: &str, format: &str| proofs().find(|record| record.kernel == name && record.format == format);
     for kernel in &kernels {
         let record = named(kernel.name, kernel.format).unwrap_or_else(|| panic!("{} {}", kernel.name, kernel.format));
-        let error = (kernel.error)(record.worst.bits).abs();
-        assert_eq!(digits(error), digits(record.worst.error), "{} in {}", kernel.name, kernel.format);
+        let error = (kernel.error)(record.bits).abs();
+        assert_eq!(digits(error), digits(record.error), "{} in {}", kernel.name, kernel.format);
         assert!(error <= kernel.bound && error >= kernel.bound / 4.0, "{} in {}: {error}", kernel.name, kernel.format);
-        assert_eq!((record.bound, record.count), (kernel.bound, count(kernel)), "{} in {}", kernel.name, kernel.format);
+        assert_eq!((record.bound, record.inputs), (kernel.bound, count(kernel)), "{} in {}", kernel.name, kernel.format);
     }
-    assert_eq!(records.len(), kernels.len());
+    assert_eq!([proofs().count(), TABLE.lines().count() - 1], [kernels.len(); 2]);
 }
 
 /// A spread of inputs, of which none may be worse than the recorded one.
 #[test]
 fn no_input_of_a_spread_is_worse_than_the_recorded() {
     let kernels = kernels::all();
-    for record in records() {
-        let is_of = |kernel: &&Kernel| kernel.name == record.name && kernel.format == record.format;
-        let kernel = kernels.iter().find(is_of).unwrap_or_else(|| panic!("{} {}", record.name, record.format));
+    for Proof { kernel: name, format, error: worst, .. } in proofs() {
+        let is_of = |kernel: &&Kernel| kernel.name == name && kernel.format == format;
+        let kernel = kernels.iter().find(is_of).unwrap_or_else(|| panic!("{name} {format}"));
         let [first, last] = kernel.inputs;
         let step = ((last - first) / 50_000) | 1;
         for bits in (first..=last).step_by(step as usize).chain([last]) {
             let error = (kernel.error)(bits).abs();
-            assert!(error <= record.worst.error + 1e-6, "{} in {}: {error} at {bits:#x}", kernel.name, kernel.format);
+            assert!(error <= worst + 1e-6, "{name} in {format}: {error} at {bits:#x}");
         }
     }
 }

@@ -77,6 +77,7 @@ impl Visitor for Errors {
 fn over_peak<S: Scalar>(body: &Body, law: Law) -> [Option<f64>; 2] {
     let ratio = S::nearest(body.ratios[0]);
     let [error, truth] = error_at(law, ratio);
+    let error = libm::fabs(error);
     let [least, most] = SPAN[law as usize];
     let within = (least..=most).contains(&ratio.exact());
     [within.then_some(error / truth), Some(error)]

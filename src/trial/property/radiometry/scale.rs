@@ -46,7 +46,7 @@ impl Truth {
         if value < least {
             return libm::fabs(computed - value) / least;
         }
-        relative_error(scaled(computed, -self.exponent), self.parts)
+        libm::fabs(relative_error(scaled(computed, -self.exponent), self.parts))
     }
 }
 
