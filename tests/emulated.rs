@@ -3,11 +3,11 @@
 use fixed::types::{I2F14, I2F30, I16F16};
 use half::f16;
 use oorandom::Rand64;
-use sunglint::trial::emulated::{FixedPoint, Narrow};
+use sunglint::trial::emulated::{FixedPoint, Narrow, Word};
 use sunglint::trial::formula;
 use sunglint::trial::gloss::{self, CASES};
 use sunglint::trial::lights::BUDGETED;
-use sunglint::trial::{Constants, Method, Shading, input};
+use sunglint::trial::{Constants, Method, Shading, Visitor, input};
 use sunglint::{DistantLight, Float, Real, Scalar, cap, reflect};
 
 type Half = Narrow<11, 5, false>;
@@ -389,4 +389,31 @@ fn pixels_are_those_of_i2f14() {
 #[test]
 fn pixels_are_those_of_i2f30() {
     assert_same_pixels::<I2F30, FixedPoint<30>>(&OVER_THE_DISC, 500);
+}
+
+/// The step of the word that a type is, and its numbers: those beside 1.
+struct Beside1(f64);
+
+impl Visitor for Beside1 {
+    type Output = [f64; 3];
+
+    fn visit<T: Real>(self) -> [f64; 3] {
+        let Self(step) = self;
+        [1.0 - step, 1.0 - step / 2.0, 1.0 - 1.5 * step].map(|value| T::from_f64(value).to_f64())
+    }
+}
+
+#[test]
+fn every_word_has_a_type_with_its_step() {
+    for word in Word::ALL {
+        let step = word.step();
+        let [beside, half, more] = word.visit(Beside1(step)).expect("a type");
+        assert_eq!(beside, 1.0 - step, "{word}");
+        assert!([1.0, beside].contains(&half) && [beside, beside - step].contains(&more), "{word}");
+        if let Some(format) = word.format() {
+            assert_eq!((step, word.width() as usize), (format.step(), format.width()), "{word}");
+        }
+    }
+    assert_eq!(Word::Fixed { fraction: 31 }.visit(Beside1(0.1)), None);
+    assert_eq!(Word::ALL.iter().filter(|word| word.format().is_some()).count(), 4);
 }

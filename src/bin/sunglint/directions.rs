@@ -76,7 +76,8 @@ pub fn baseline(light: &Light) -> Contender {
     contender(Method::Factored, Format::F32, light)
 }
 
-fn contender(method: Method, format: Format, light: &Light) -> Contender {
+/// A method in a format under a light, to be timed.
+pub fn contender(method: Method, format: Format, light: &Light) -> Contender {
     let build = |method| format.visit(Build { method, light });
     Contender { call: build(Some(method)), empty: build(None), inputs: input::ball(SIDE).count() }
 }
@@ -166,7 +167,8 @@ pub fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Ju
     }
 }
 
-fn failure<T>(judgement: &Judgement<T>) -> Option<String> {
+/// How a method fails, if it does.
+pub fn failure<T>(judgement: &Judgement<T>) -> Option<String> {
     let failure = if judgement.undirected == judgement.samples {
         "NaN"
     } else if judgement.disc_lost >= DISC_LOST {

@@ -100,7 +100,8 @@ pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBa
     }
 }
 
-fn contender(method: Shading, format: Format, case: &Case) -> Contender {
+/// A highlight method in a format, to be timed.
+pub fn contender(method: Shading, format: Format, case: &Case) -> Contender {
     let build = |method| format.visit(Build { method, case });
     Contender { call: build(Some(method)), empty: build(None), inputs: ball().count() }
 }
