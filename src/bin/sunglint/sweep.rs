@@ -20,7 +20,6 @@ use crate::workers;
 pub use arguments::Arguments;
 pub use fewest::{Family, fewest};
 pub use goal::Goal;
-pub use measurement::FAMILIES;
 use measurement::{HIGHLIGHTS, Numbers, Subject, Task};
 
 /// One method in one word.

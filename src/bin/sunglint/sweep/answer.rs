@@ -5,7 +5,7 @@ use sunglint::trial::gloss::Case;
 use sunglint::trial::{Format, Method, Shading};
 
 use super::arguments::Question;
-use super::measurement::{Numbers, Subject};
+use super::measurement::Subject;
 use super::{Goal, SweepRow, formats, in_all, methods, pixels, words};
 use crate::author::OURS;
 use crate::axis::{Axis, Price};
