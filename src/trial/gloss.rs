@@ -172,6 +172,14 @@ pub fn models<const N: usize>(
     found
 }
 
+/// A whole pixel of inputs that the format `T` holds: by the method's own formula, and by the BRDF integrated over the
+/// disc.
+pub fn truths<T: Real, const N: usize>(shading: Shading, case: &Case, pixel: &Pixel, rule: &Quadrature<N>) -> [f64; 2] {
+    let albedo = T::Scalar::nearest(ALBEDO).exact();
+    let highlight = rule.highlight(&case.glossy::<T>(), pixel);
+    [truth::<T>(shading, case, pixel), diffuse(case, pixel, albedo) + PI * highlight]
+}
+
 fn inputs(&Pixel { n, v, l }: &Pixel) -> [f64; 9] {
     [n[0], n[1], n[2], v[0], v[1], v[2], l[0], l[1], l[2]]
 }

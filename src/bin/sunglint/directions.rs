@@ -29,12 +29,18 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 
 /// Steps of the progress bar.
 pub fn steps(options: &Options) -> usize {
-    wanted(options).count() * (Method::ALL.len() * Format::ALL.len() + rounds(options))
+    rows(options) + wanted(options).count() * rounds(options)
 }
 
-/// The lights that were asked for.
+/// How many rows there are.
+pub fn rows(options: &Options) -> usize {
+    wanted(options).count() * of_all(options).len()
+}
+
+/// The lights that were asked for; none where no direction was.
 pub fn wanted(options: &Options) -> impl Iterator<Item = Light> {
-    lights::STUDY.into_iter().filter(|light| options.wants(light.name))
+    let lights = if of_all(options).is_empty() { Vec::new() } else { options.lights() };
+    lights.into_iter()
 }
 
 /// How often every contender has its turn.
@@ -45,7 +51,9 @@ fn rounds(options: &Options) -> usize {
 /// The errors of all methods in all formats, on all cores.
 pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<Row> {
     let contenders: Vec<_> = wanted(options)
-        .flat_map(|light| of_all().map(move |(method, format)| Judge { light, method, format, options }))
+        .flat_map(|light| {
+            of_all(options).into_iter().map(move |(method, format)| Judge { light, method, format, options })
+        })
         .collect();
     workers::map(&contenders, progress, |&contender| {
         let Judge { light, method, format, .. } = contender;
@@ -56,9 +64,10 @@ pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<Row> {
 
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [Row], options: &Options, progress: &ProgressBar) {
-    for (light, rows) in wanted(options).zip(rows.chunks_mut(Method::ALL.len() * Format::ALL.len())) {
+    for (light, rows) in wanted(options).zip(rows.chunks_mut(of_all(options).len().max(1))) {
         progress.set_message(format!("timing, {}", light.name));
-        let contenders: Vec<_> = of_all().map(|(method, format)| contender(method, format, &light)).collect();
+        let of_all = of_all(options).into_iter();
+        let contenders: Vec<_> = of_all.map(|(method, format)| contender(method, format, &light)).collect();
         let costs = clock::costs(&contenders, &baseline(&light), rounds(options), progress);
         for (row, cost) in rows.iter_mut().zip(costs) {
             (row.cost, row.cost_low, row.cost_high) = cost.figures();
@@ -66,9 +75,10 @@ pub fn add_costs(rows: &mut [Row], options: &Options, progress: &ProgressBar) {
     }
 }
 
-/// All methods and formats in the order of the rows.
-fn of_all() -> impl Iterator<Item = (Method, Format)> {
-    Method::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)))
+/// The methods and formats that were asked for, in the order of the rows.
+fn of_all(options: &Options) -> Vec<(Method, Format)> {
+    let of_all = Method::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
+    of_all.filter(|(method, format)| options.wants_method(method.name()) && options.wants_format(*format)).collect()
 }
 
 /// f32 `factored` under `light`, whose time is the unit of all costs.

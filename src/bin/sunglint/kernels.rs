@@ -17,7 +17,12 @@ const PAIRS: [usize; 2] = [100_000, 10_000];
 
 /// Steps of the progress bar.
 pub fn steps(options: &Options) -> usize {
-    Kernel::ALL.len() * Format::ALL.len() + rounds(options)
+    rows(options) + rounds(options)
+}
+
+/// How many rows there are.
+pub fn rows(options: &Options) -> usize {
+    of_all(options).len()
 }
 
 /// How often every contender has its turn.
@@ -30,13 +35,16 @@ pub fn pairs(options: &Options) -> usize {
     PAIRS[usize::from(options.quick)]
 }
 
-fn of_all() -> impl Iterator<Item = (Kernel, Format)> {
-    Kernel::ALL.into_iter().flat_map(|kernel| Format::ALL.map(|format| (kernel, format)))
+/// The building blocks and formats that were asked for, in the order of the rows.
+fn of_all(options: &Options) -> Vec<(Kernel, Format)> {
+    let of_all = Kernel::ALL.into_iter().flat_map(|kernel| Format::ALL.map(|format| (kernel, format)));
+    of_all.filter(|(kernel, format)| options.wants_method(kernel.name()) && options.wants_format(*format)).collect()
 }
 
 /// The errors of all kernels in all formats, on all cores.
 pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<KernelRow> {
-    let contenders: Vec<_> = of_all().map(|(kernel, format)| Judge { kernel, format, options }).collect();
+    let contenders: Vec<_> =
+        of_all(options).into_iter().map(|(kernel, format)| Judge { kernel, format, options }).collect();
     workers::map(&contenders, progress, |&contender| {
         progress.set_message(format!("{} in {}", contender.kernel.name(), contender.format.name()));
         contender.format.visit(contender)
@@ -46,7 +54,8 @@ pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<KernelRow> {
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [KernelRow], options: &Options, progress: &ProgressBar) {
     progress.set_message("timing, building blocks");
-    let contenders: Vec<_> = of_all().map(|(kernel, format)| format.visit(Calls { kernel })).collect();
+    let of_all = of_all(options).into_iter();
+    let contenders: Vec<_> = of_all.map(|(kernel, format)| format.visit(Calls { kernel })).collect();
     let [sun, ..]: [Light; 5] = lights::STUDY;
     let costs = clock::costs(&contenders, &directions::baseline(&sun), rounds(options), progress);
     for (row, cost) in rows.iter_mut().zip(costs) {

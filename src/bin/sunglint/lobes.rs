@@ -7,11 +7,12 @@ use sunglint::trial::Shading;
 use sunglint::trial::gloss::F0;
 use sunglint::{DistantLight, SUN};
 
+use crate::filter;
 use crate::options::Options;
 use crate::result::LobeRow;
 use crate::workers;
 
-/// Names of the lights; the ratios are those of [`ratio`].
+/// Names of the lights of the study; the ratios are those of [`ratio`].
 const LIGHTS: [&str; 4] = ["Sun", "lamp 0.0001", "lamp 0.05", "lamp 0.3"];
 
 /// GGX widths, the mirror first.
@@ -27,6 +28,7 @@ const QUICK_INCIDENCES: [u32; 4] = [0, 45, 60, 80];
 #[derive(Clone, Copy)]
 struct Case {
     light: &'static str,
+    ratio: f64,
     alpha: f64,
     incidence: u32,
 }
@@ -41,21 +43,37 @@ pub fn steps(options: &Options) -> usize {
     cases(options).len()
 }
 
+/// Name and ratio of the lights that were asked for; none where no highlight was.
+fn lights(options: &Options) -> Vec<(&'static str, f64)> {
+    let wanted = Shading::ALL.into_iter().any(|method| options.wants_method(method.name()));
+    match options.filter.own() {
+        _ if !wanted => Vec::new(),
+        None => LIGHTS.into_iter().filter(|light| options.wants(light)).map(|light| (light, ratio(light))).collect(),
+        Some(own) if filter::has_pixels(&own.light) => vec![(own.name, own.light.sin())],
+        Some(_) => Vec::new(),
+    }
+}
+
 fn cases(options: &Options) -> Vec<Case> {
-    let lights = LIGHTS.into_iter().filter(|light| options.wants(light));
+    let alphas = options.filter.alpha.map_or(ALPHAS.to_vec(), |alpha| vec![alpha]);
     let incidences: &[u32] = if options.quick { &QUICK_INCIDENCES } else { &INCIDENCES };
-    let at = |light, incidence| ALPHAS.map(|alpha| Case { light, alpha, incidence });
-    lights.flat_map(|light| incidences.iter().flat_map(move |&incidence| at(light, incidence))).collect()
+    let mut cases = Vec::new();
+    for (light, ratio) in lights(options) {
+        for &incidence in incidences {
+            cases.extend(alphas.iter().map(|&alpha| Case { light, ratio, alpha, incidence }));
+        }
+    }
+    cases
 }
 
 /// All methods' highlights, on all cores.
 pub fn measure(options: &Options, progress: &ProgressBar) -> Vec<LobeRow> {
     let rows = workers::map(&cases(options), progress, |case| {
-        let Case { light, alpha, incidence } = case;
+        let Case { light, alpha, incidence, .. } = case;
         progress.set_message(format!("{light}, alpha {alpha}, {incidence} degrees, all viewers"));
         if options.quick { rows::<8>(case) } else { rows::<12>(case) }
     });
-    rows.into_iter().flatten().collect()
+    rows.into_iter().flatten().filter(|row| options.wants_method(&row.method)).collect()
 }
 
 fn ratio(light: &str) -> f64 {
@@ -64,7 +82,7 @@ fn ratio(light: &str) -> f64 {
 }
 
 fn rows<const N: usize>(case: &Case) -> [LobeRow; Shading::ALL.len()] {
-    let glossy = Glossy { alpha: case.alpha, f0: F0, ratio: ratio(case.light) };
+    let glossy = Glossy { alpha: case.alpha, f0: F0, ratio: case.ratio };
     let methods = |pixel: &_| Shading::ALL.map(|method| method.truth(&glossy, pixel));
     let lobes = Quadrature::<N>::new().lobes(&glossy, f64::from(case.incidence).to_radians(), methods);
     let row = |place: usize| {
@@ -96,7 +114,7 @@ mod tests {
 
     #[test]
     fn the_exact_method_is_nearer_to_the_truth_than_none() {
-        let rows = rows::<4>(&Case { light: "lamp 0.05", alpha: 0.0625, incidence: 45 });
+        let rows = rows::<4>(&Case { light: "lamp 0.05", ratio: 0.05, alpha: 0.0625, incidence: 45 });
         let [none, .., cone, _] = &rows;
         assert!(cone.relative_l1 < 0.1 * none.relative_l1, "{rows:?}");
         assert!((cone.energy - 1.0).abs() < 0.05 && none.energy > 1.1, "{rows:?}");
@@ -107,5 +125,8 @@ mod tests {
         let options = |light| Options::parse_from(["sunglint", "--light", light]);
         assert_eq!(steps(&options("sun")), ALPHAS.len() * INCIDENCES.len());
         assert_eq!(steps(&options("mars")), 0);
+        let own = Options::parse_from(["sunglint", "--ratio", "0.01", "--alpha", "0.1"]);
+        assert_eq!(steps(&own), INCIDENCES.len());
+        assert_eq!(steps(&Options::parse_from(["sunglint", "--method", "cap"])), 0);
     }
 }

@@ -1,7 +1,7 @@
 //! The host tool `sunglint`: measures every method in every number format and shows the result.
 //!
 //! Exit codes: 0 where all went well, 1 where a file could not be written, 2 for a wrong command line, 130 where it was
-//! interrupted.
+//! interrupted by Ctrl-C. A reader of the output that goes away, such as `head`, is no failure.
 
 mod anchors;
 mod author;
@@ -18,8 +18,10 @@ mod directions;
 mod error_kind;
 mod failure;
 mod field;
+mod filter;
 mod frame;
 mod frontier;
+mod interrupt;
 mod kernel;
 mod kernel_panel;
 mod kernels;
@@ -69,8 +71,23 @@ use crate::failure::Failure;
 use crate::options::{Cli, Command, Options};
 
 fn main() -> ExitCode {
+    interrupt::heed();
     let Cli { command, options } = Cli::parse();
-    let done = match command.unwrap_or(Command::Chart(options)) {
+    match done(command.unwrap_or(Command::Chart(options))) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Usage(message)) => Cli::command().error(ErrorKind::InvalidValue, message).exit(),
+        Err(failure) => {
+            let _ = writeln!(io::stderr(), "sunglint: {failure}");
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+fn done(command: Command) -> Result<(), Failure> {
+    if let Some(options) = command.options() {
+        options.check()?;
+    }
+    match command {
         Command::Chart(options) => chart(&options),
         Command::Worst(arguments) => worst::run(&arguments),
         Command::Repro(arguments) => repro::run(&arguments),
@@ -79,32 +96,14 @@ fn main() -> ExitCode {
         Command::Preset(arguments) => presets::run(&arguments),
         Command::Snippet(arguments) => snippets::run(&arguments),
         Command::List => {
-            print(&list::text());
+            print(list::text().trim_end());
             Ok(())
         }
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            let _ = writeln!(io::stderr(), "sunglint: {failure}");
-            ExitCode::from(failure.code())
-        }
-    }
-}
-
-/// Ends the run with clap's own message and code if no light has the name that was asked for.
-fn refuse_unknown_light(options: &Options) {
-    let names = measure::light_names();
-    if !names.iter().any(|name| options.wants(name)) {
-        let asked = options.light.as_deref().unwrap_or_default();
-        let message = format!("no light is named '{asked}'; there are: {}", names.join("; "));
-        Cli::command().error(ErrorKind::InvalidValue, message).exit();
     }
 }
 
 /// The main job: measure, print, write.
 fn chart(options: &Options) -> Result<(), Failure> {
-    refuse_unknown_light(options);
     output::prepare(&options.out)?;
     let progress = progress(options);
     let mut study = measure::run(options, &progress);
@@ -124,7 +123,9 @@ pub fn progress(options: &Options) -> ProgressBar {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {eta} left  {wide_msg}");
-    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    let bar = ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    interrupt::clear(&bar);
+    bar
 }
 
 /// Prints a line. A reader that has gone away, such as `head`, is no reason to lose the files.

@@ -17,8 +17,9 @@ pub fn light_names() -> Vec<&'static str> {
 
 /// Measures what `options` asks for.
 pub fn run(options: &Options, progress: &ProgressBar) -> Study {
-    let steps = [directions::steps(options), quantities::COUNT, pixels::steps(options), kernels::steps(options)];
-    let rivals = rivals::steps(options) + pixel_q14::steps(options) + rivals::kernels::STEPS;
+    let steps =
+        [directions::steps(options), quantities::steps(options), pixels::steps(options), kernels::steps(options)];
+    let rivals = rivals::steps(options) + pixel_q14::steps(options) + rivals::kernels::steps(options);
     let beside = [
         lobes::steps(options),
         anchors::steps(options),
@@ -31,7 +32,8 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
     let mut study = Study {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         seed: options.seed,
-        light: options.light.clone(),
+        light: options.filter.light.clone(),
+        command: options.command(),
         quick: options.quick,
         rows: directions::errors(options, progress),
         quantities: quantities::measure(options, progress),
@@ -56,6 +58,7 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Study {
     pixel_q14::add_costs(&mut study.rivals.pixels, options, progress);
     kernels::add_costs(&mut study.kernels, options, progress);
     study.chip = chip::rows(&study);
+    study.chip.retain(|row| options.filter.wants_count(&row.count));
     study
 }
 

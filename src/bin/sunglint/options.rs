@@ -3,17 +3,32 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
-use sunglint::trial::{Format, Light, lights};
+use sunglint::trial::gloss::Case;
+use sunglint::trial::{Format, Light};
 
-use crate::{pictures, presets, repro, snippets, sweep, worst};
+use crate::failure::Failure;
+use crate::filter::Filter;
+use crate::{measure, pictures, presets, repro, snippets, sweep, worst};
 
 /// Seed of the random directions where none is given.
 pub const DEFAULT_SEED: u64 = 1;
 
+/// What every help of the whole tool ends with.
+const MANNERS: &str = "\
+Examples:
+  sunglint                                  measure all of it
+  sunglint --quick --method cap --method factored --light mars
+  sunglint --angle 0.53 --alpha 0.1 --format f16
+  sunglint worst --method cap --light earth
+  sunglint list                             all names
+
+Exit codes: 0 done, 1 a file could not be written, 2 wrong command line, 130 interrupted by Ctrl-C.
+Ctrl-C leaves the files of an earlier run as they were; a second one ends at once.";
+
 /// The command line.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "sunglint", version, about = "Error against cost of every lighting method in every number format")]
-#[command(args_conflicts_with_subcommands = true)]
+#[command(args_conflicts_with_subcommands = true, after_help = MANNERS)]
 pub struct Cli {
     /// What to do; `chart` where nothing is named.
     #[command(subcommand)]
@@ -29,6 +44,7 @@ pub enum Command {
     /// Measure, print the tables and write the report with all its files (the default)
     Chart(Options),
     /// Print the worst input of every method, each with the command that computes it again
+    #[command(mut_arg("out", |out| out.hide(true)))]
     Worst(worst::Arguments),
     /// Compute one input again: the answer, the truth and the error
     Repro(repro::Arguments),
@@ -42,6 +58,19 @@ pub enum Command {
     Snippet(snippets::Arguments),
     /// List methods, formats, lights, cases, presets and snippets
     List,
+}
+
+impl Command {
+    /// What it measures, if it does.
+    pub fn options(&self) -> Option<&Options> {
+        match self {
+            Self::Chart(options) => Some(options),
+            Self::Worst(arguments) => Some(&arguments.options),
+            Self::Render(arguments) => Some(&arguments.options),
+            Self::Sweep(arguments) => Some(&arguments.options),
+            Self::Repro(_) | Self::Preset(_) | Self::Snippet(_) | Self::List => None,
+        }
+    }
 }
 
 /// What is measured, and where it goes.
@@ -60,12 +89,11 @@ pub struct Options {
     #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
     pub seed: u64,
 
-    /// Measure only directions, lit pixels and highlights whose light's name holds NAME, such as `mars`
-    /// or `lamp`; building blocks and light quantities have no light
-    #[arg(long, value_name = "NAME")]
-    pub light: Option<String>,
+    /// Which part of it is measured.
+    #[command(flatten)]
+    pub filter: Filter,
 
-    /// Print no table and show no progress, only the path of the report
+    /// Show no progress and print no table, only the path of what was written
     #[arg(short, long)]
     pub quiet: bool,
 }
@@ -79,23 +107,42 @@ impl Options {
 
     /// The lights of the directions.
     pub fn lights(&self) -> Vec<Light> {
-        lights::STUDY.into_iter().filter(|light| self.wants(light.name)).collect()
+        self.filter.lights()
+    }
+
+    /// Lights and roughnesses of the lit pixels.
+    pub fn cases(&self) -> Vec<Case> {
+        self.filter.cases()
     }
 
     /// Whether the method of this name is to be measured.
-    pub fn wants_method(&self, _method: &str) -> bool {
-        true
+    pub fn wants_method(&self, method: &str) -> bool {
+        self.filter.wants_method(method)
     }
 
     /// Whether `format` is to be measured.
-    pub fn wants_format(&self, _format: Format) -> bool {
-        true
+    pub fn wants_format(&self, format: Format) -> bool {
+        self.filter.wants_format(format)
     }
 
     /// Whether `light` is to be measured.
     pub fn wants(&self, light: &str) -> bool {
-        let holds = |name: &String| light.to_lowercase().contains(&name.to_lowercase());
-        self.light.as_ref().is_none_or(holds)
+        self.filter.wants(light)
+    }
+
+    /// Refuses what no single argument shows to be wrong.
+    pub fn check(&self) -> Result<(), Failure> {
+        self.filter.check(&measure::light_names())
+    }
+
+    /// The command line that measures the same again.
+    pub fn command(&self) -> String {
+        format!("sunglint{}{}", if self.quick { " --quick" } else { "" }, self.filter.arguments()) + &self.seeded()
+    }
+
+    /// The seed as an argument, unless it is the default.
+    pub fn seeded(&self) -> String {
+        if self.seed == DEFAULT_SEED { String::new() } else { format!(" --seed {}", self.seed) }
     }
 }
 
@@ -107,13 +154,5 @@ mod tests {
     #[test]
     fn the_command_line_is_sound() {
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn a_light_is_found_by_part_of_its_name_in_any_case() {
-        let options = Options::parse_from(["sunglint", "--light", "MARS"]);
-        assert!(options.wants("Sun from Mars"));
-        assert!(!options.wants("Sun from Earth"));
-        assert!(Options::parse_from(["sunglint"]).wants("area light 0.5"));
     }
 }

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use tempfile::{Builder, NamedTempFile};
 
+use crate::interrupt::Writing;
 use crate::result::Study;
 use crate::{chart, chip_chart, columns, page, snippets};
 
@@ -31,12 +32,49 @@ impl Error for WriteError {}
 /// comes before the measurement, so that a wrong path does not cost the measurement.
 pub fn prepare(out: &Path) -> Result<(), WriteError> {
     let at = |cause: io::Error| failure(out, cause);
+    let _writing = Writing::begin().map_err(at)?;
     fs::create_dir_all(out).map_err(at)?;
     NamedTempFile::new_in(out).map(drop).map_err(at)
 }
 
 /// Writes every file of `study` into the folder `out`, and gives the path of the report.
+///
+/// All are written into a folder within `out` first, so that a full disc or Ctrl-C leaves `out` as it was. Then they are
+/// renamed one after the other, the report last; only what fails or kills the process there leaves old files among new.
 pub fn write(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
+    let at = |cause: io::Error| failure(out, cause);
+    let _writing = Writing::begin().map_err(at)?;
+    let new = Builder::new().prefix(".sunglint-").tempdir_in(out).map_err(at)?;
+    let report = write_into(study, new.path())?;
+    let report_name = report.strip_prefix(new.path()).unwrap_or(&report);
+    let mut names = files(new.path()).map_err(at)?;
+    // Names with the report's last, others in the order of the alphabet.
+    names.sort_by_key(|name| (name == report_name, name.clone()));
+    for name in names {
+        let path = out.join(&name);
+        let moved =
+            fs::create_dir_all(path.parent().unwrap_or(out)).and_then(|()| fs::rename(new.path().join(&name), &path));
+        moved.map_err(|cause| failure(&path, cause))?;
+    }
+    Ok(out.join(report_name))
+}
+
+/// The files in `folder` and in the folders within, by their paths from there.
+fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = PathBuf::from(entry.file_name());
+        match entry.file_type()?.is_dir() {
+            true => found.extend(files(&entry.path())?.iter().map(|within| name.join(within))),
+            false => found.push(name),
+        }
+    }
+    Ok(found)
+}
+
+/// The same, where a failure may leave some of them.
+fn write_into(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
     let json_path = out.join("results.json");
     let json = serde_json::to_vec_pretty(study).map_err(|cause| failure(&json_path, cause))?;
     table(&out.join("results.csv"), &study.rows)?;
@@ -94,6 +132,7 @@ fn csv<R: Serialize>(rows: &[R]) -> Result<Vec<u8>, Box<dyn Error + Send + Sync>
 pub fn replace(path: &Path, content: &[u8]) -> Result<(), WriteError> {
     let folder = path.parent().unwrap_or(Path::new("."));
     let written = || {
+        let _writing = Writing::begin()?;
         let mut file = temporary(folder)?;
         file.write_all(content)?;
         file.persist(path).map(drop).map_err(|error| error.error)
@@ -265,6 +304,20 @@ mod tests {
         let message = prepare(&file).expect_err("no folder").to_string();
         assert!(message.contains("in the way"), "{message}");
         let message = write(&study(), &file).expect_err("no folder").to_string();
-        assert!(message.contains("results.csv"), "{message}");
+        assert!(message.contains("in the way"), "{message}");
+    }
+
+    #[test]
+    fn what_cannot_be_written_whole_leaves_what_was_there() {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("report.html"), "old").expect("a file");
+        write_into(&study(), folder.path().join("missing").as_path()).expect_err("no folder");
+        // A folder where a file should go: found when all else is written.
+        fs::create_dir_all(folder.path().join("anchors.csv").join("within")).expect("a folder");
+        let message = write(&study(), folder.path()).expect_err("a folder in the way").to_string();
+        assert!(message.contains("anchors.csv"), "{message}");
+        assert_eq!(fs::read_to_string(folder.path().join("report.html")).expect("a file"), "old");
+        let names = fs::read_dir(folder.path()).expect("entries");
+        assert!(names.flatten().all(|entry| !entry.file_name().to_string_lossy().starts_with('.')));
     }
 }

@@ -17,7 +17,6 @@ mod take_away;
 pub use cells::escape;
 
 use crate::number;
-use crate::options::DEFAULT_SEED;
 use crate::result::Study;
 
 const STYLE: &str = include_str!("page.css");
@@ -116,12 +115,14 @@ fn sections(study: &Study) -> Vec<Section> {
         section("take-away", Some("Take it away"), "Take it away: files, columns, source code", take_away::all()),
     ];
     sections.extend(more.into_iter().filter(|section| !section.content.is_empty()));
-    sections.extend([
+    let last = [
         section("parts", Some("Building blocks"), "Building blocks", kernels::all(study)),
         section("chip", Some("On the chip"), "On the chip: instructions, stack and bytes", chip::all(study)),
         section("of-a-light", Some("Quantities"), "Quantities of the light", quantities::all(&study.quantities)),
         section("origin", Some("Origin"), "How the numbers were made", origin(study)),
-    ]);
+    ];
+    let measured = [!study.kernels.is_empty(), !study.chip.is_empty(), !study.quantities.is_empty(), true];
+    sections.extend(last.into_iter().zip(measured).filter_map(|(section, measured)| measured.then_some(section)));
     sections
 }
 
@@ -150,23 +151,9 @@ fn origin(study: &Study) -> String {
         escape(&study.version),
         study.seed,
         pixels::tried(study),
-        command(study),
+        escape(&study.command),
         chip::origin()
     )
-}
-
-fn command(study: &Study) -> String {
-    let mut command = "sunglint".to_owned();
-    if study.quick {
-        command += " --quick";
-    }
-    if let Some(light) = &study.light {
-        command += &format!(" --light '{}'", escape(light));
-    }
-    if study.seed != DEFAULT_SEED {
-        command += &format!(" --seed {}", study.seed);
-    }
-    command
 }
 
 #[cfg(test)]
@@ -207,10 +194,8 @@ mod tests {
     }
 
     #[test]
-    fn the_command_repeats_the_run() {
-        let mut study = sample::study(Vec::new());
-        assert_eq!(command(&study), "sunglint --quick");
-        (study.quick, study.seed) = (false, 7);
-        assert_eq!(command(&study), "sunglint --seed 7");
+    fn the_command_is_shown() {
+        let study = Study { command: "sunglint --light '<b>'".to_owned(), ..sample::study(Vec::new()) };
+        assert!(report(&study).contains("<code>sunglint --light &#39;&lt;b&gt;&#39;</code>"));
     }
 }

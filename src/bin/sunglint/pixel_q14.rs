@@ -22,12 +22,18 @@ const PI: u32 = 205_887;
 
 /// Steps of the progress bar.
 pub fn steps(options: &Options) -> usize {
-    pixels::wanted(options).len() * (1 + pixels::rounds(options))
+    wanted(options).len() * (1 + pixels::rounds(options))
+}
+
+/// The cases that were asked for; none where `disc_ggx` in I2F14 was not.
+fn wanted(options: &Options) -> Vec<Case> {
+    let wanted = options.wants_method(Shading::DiscGgx.name()) && options.wants_format(Format::I2F14);
+    if wanted { pixels::wanted(options) } else { Vec::new() }
 }
 
 /// The errors in each case of `rows`, whose models are those of the same formula.
 pub fn errors(rows: &[PixelRow], options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
-    let rows = workers::map(&pixels::wanted(options), progress, |case| {
+    let rows = workers::map(&wanted(options), progress, |case| {
         progress.set_message(format!("{}, {PIXEL_Q14}", case.name));
         let same = |row: &&PixelRow| {
             [&*row.case, &*row.method, &*row.format] == [case.name, Shading::DiscGgx.name(), Format::I2F14.name()]
@@ -63,7 +69,7 @@ fn bits(v: [I2F14; 3]) -> [i16; 3] {
 
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBar) {
-    for (case, row) in pixels::wanted(options).iter().zip(rows) {
+    for (case, row) in wanted(options).iter().zip(rows) {
         progress.set_message(format!("timing, {}, {PIXEL_Q14}", case.name));
         let baseline = directions::baseline(&Light { name: case.name, light: case.light });
         let costs = clock::costs(&[contender(case)], &baseline, pixels::rounds(options), progress);

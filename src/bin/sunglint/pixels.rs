@@ -26,8 +26,11 @@ const QUICK_PIXELS: [usize; 3] = [800, 400, 200];
 /// Pixels across the ball whose pixels make a batch.
 const SIDE: u32 = 32;
 
-/// Rows of a case.
-const CONTENDERS: usize = Shading::ALL.len() * Format::ALL.len();
+/// The methods and formats that were asked for, in the order of the rows of a case.
+fn of_all(options: &Options) -> Vec<(Shading, Format)> {
+    let of_all = Shading::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
+    of_all.filter(|(method, format)| options.wants_method(method.name()) && options.wants_format(*format)).collect()
+}
 
 /// Names of the cases, which begin with the light's.
 pub fn names() -> impl Iterator<Item = &'static str> {
@@ -36,12 +39,17 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 
 /// Steps of the progress bar.
 pub fn steps(options: &Options) -> usize {
-    wanted(options).len() * (1 + CONTENDERS + rounds(options))
+    wanted(options).len() * (1 + rounds(options)) + rows(options)
 }
 
-/// The cases that were asked for.
+/// How many rows there are.
+pub fn rows(options: &Options) -> usize {
+    wanted(options).len() * of_all(options).len()
+}
+
+/// The cases that were asked for; none where no lit pixel was.
 pub fn wanted(options: &Options) -> Vec<Case> {
-    CASES.into_iter().filter(|case| options.wants(case.name)).collect()
+    if of_all(options).is_empty() { Vec::new() } else { options.cases() }
 }
 
 fn pixels(options: &Options) -> [usize; 3] {
@@ -64,10 +72,8 @@ pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<PixelRow> {
         .iter()
         .zip(&models)
         .flat_map(|(&case, models)| {
-            Shading::ALL.into_iter().zip(models).map(move |(method, model)| (case, method, model))
-        })
-        .flat_map(|(case, method, model)| {
-            Format::ALL.map(|format| Judge { case, method, format, model: *model, options })
+            let judge = move |(method, format)| Judge { case, method, format, model: models[method as usize], options };
+            of_all(options).into_iter().map(judge)
         })
         .collect();
     workers::map(&contenders, progress, |&contender| {
@@ -88,9 +94,9 @@ fn models(case: &Case, options: &Options) -> [Found<9>; Shading::ALL.len()] {
 
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBar) {
-    for (case, rows) in wanted(options).iter().zip(rows.chunks_mut(CONTENDERS)) {
+    for (case, rows) in wanted(options).iter().zip(rows.chunks_mut(of_all(options).len().max(1))) {
         progress.set_message(format!("timing, {}", case.name));
-        let of_all = Shading::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
+        let of_all = of_all(options).into_iter();
         let contenders: Vec<_> = of_all.map(|(method, format)| contender(method, format, case)).collect();
         let baseline = directions::baseline(&Light { name: case.name, light: case.light });
         let costs = clock::costs(&contenders, &baseline, rounds(options), progress);

@@ -10,7 +10,22 @@ use crate::options::Options;
 use crate::result::QuantityRow;
 
 /// Steps of the progress bar: a quantity in three float formats and in fixed point.
-pub const COUNT: usize = Quantity::ALL.len() * 4;
+pub fn steps(options: &Options) -> usize {
+    wanted(options).len() * FLOATS.iter().filter(|format| options.wants_format(**format)).count()
+        + wanted(options).len() * usize::from(wants_fixed(options))
+}
+
+/// Those that judge against f64: f64 itself is held against 192 bits in the tests.
+const FLOATS: [Format; 3] = [Format::F32, Format::Micromath, Format::F16];
+
+fn wanted(options: &Options) -> Vec<Quantity> {
+    Quantity::ALL.into_iter().filter(|quantity| options.wants_method(quantity.name())).collect()
+}
+
+/// Whether any fixed point is wanted; a quantity has one format for all of them.
+fn wants_fixed(options: &Options) -> bool {
+    [Format::I2F14, Format::I2F30, Format::I16F16].into_iter().any(|format| options.wants_format(format))
+}
 
 /// Ratios from 1e-6 to 1, evenly spread over their logarithms.
 fn ratios(options: &Options) -> impl Iterator<Item = f64> {
@@ -18,23 +33,26 @@ fn ratios(options: &Options) -> impl Iterator<Item = f64> {
     (0..=count).map(move |index| 10_f64.powf(-6.0 * f64::from(index) / f64::from(count)))
 }
 
-/// All quantities in all formats that judge against f64: f64 itself is held against 192 bits in the tests.
+/// All quantities in all formats.
 pub fn measure(options: &Options, progress: &ProgressBar) -> Vec<QuantityRow> {
     progress.set_message("light quantities");
-    Quantity::ALL.into_iter().flat_map(|quantity| rows(quantity, options, progress)).collect()
+    wanted(options).into_iter().flat_map(|quantity| rows(quantity, options, progress)).collect()
 }
 
-fn rows(quantity: Quantity, options: &Options, progress: &ProgressBar) -> [QuantityRow; 4] {
-    let done = |row| {
+fn rows(quantity: Quantity, options: &Options, progress: &ProgressBar) -> Vec<QuantityRow> {
+    let formats = FLOATS.into_iter().filter(|format| options.wants_format(*format)).map(Some);
+    let formats = formats.chain(wants_fixed(options).then_some(None));
+    let row = |format| {
+        let row = match format {
+            Some(Format::F16) => in_float::<half::f16>(quantity, Format::F16, options),
+            Some(Format::Micromath) => in_float::<micromath::F32>(quantity, Format::Micromath, options),
+            Some(_) => in_float::<f32>(quantity, Format::F32, options),
+            None => in_fixed(quantity, options),
+        };
         progress.inc(1);
         row
     };
-    [
-        done(in_float::<f32>(quantity, Format::F32, options)),
-        done(in_float::<micromath::F32>(quantity, Format::Micromath, options)),
-        done(in_float::<half::f16>(quantity, Format::F16, options)),
-        done(in_fixed(quantity, options)),
-    ]
+    formats.map(row).collect()
 }
 
 fn in_float<T: Float>(quantity: Quantity, format: Format, options: &Options) -> QuantityRow {

@@ -297,6 +297,8 @@ pub struct Study {
     pub seed: u64,
     /// What `--light` asked for.
     pub light: Option<String>,
+    /// The command line that makes the same study again.
+    pub command: String,
     /// Whether this was a `--quick` run.
     pub quick: bool,
     /// One row per light, method and format.

@@ -57,13 +57,19 @@ impl Study {
 
 /// Steps of the progress bar.
 pub fn steps(options: &Options) -> usize {
-    directions::wanted(options).count() * CAPS.len()
+    directions::wanted(options).count() * caps(options).len()
+}
+
+/// Those of [`CAPS`] that were asked for.
+fn caps(options: &Options) -> Vec<(&'static str, Format)> {
+    let wanted = |format| options.wants_method(Method::Cap.name()) && options.wants_format(format);
+    CAPS.into_iter().filter(|(_, format)| wanted(*format)).collect()
 }
 
 /// The errors of `cap` by other code, and of the peers, whose formulas are those of `rows`.
 pub fn directions(rows: &[Row], options: &Options, progress: &ProgressBar) -> Vec<Row> {
     let contenders: Vec<_> = directions::wanted(options)
-        .flat_map(|light| CAPS.map(|(by, format)| Judge { light, by, format, options }))
+        .flat_map(|light| caps(options).into_iter().map(move |(by, format)| Judge { light, by, format, options }))
         .collect();
     let own = workers::map(&contenders, progress, |contender| {
         progress.set_message(format!("{}, cap by {}", contender.light.name, contender.by));

@@ -44,7 +44,8 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
 
 /// A study of `rows` alone.
 pub fn study(rows: Vec<Row>) -> Study {
-    Study { version: "0.1.0".to_owned(), seed: 1, light: None, quick: true, rows, ..Study::default() }
+    let [version, command] = ["0.1.0", "sunglint --quick"].map(str::to_owned);
+    Study { version, seed: 1, command, quick: true, rows, ..Study::default() }
 }
 
 /// The same with something of everything.

@@ -140,7 +140,7 @@ pub fn units(error: f64) -> String {
 }
 
 /// An empty table that never wraps, so that a file and a terminal get the same text.
-fn table(header: &[&str]) -> Table {
+pub fn table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_preset(NOTHING);
     table.set_style(TableComponent::HeaderLines, '─');
@@ -161,7 +161,7 @@ fn add_group(table: &mut Table, rows: impl Iterator<Item = Vec<String>>) {
     table.add_rows(rows);
 }
 
-fn align_right(table: &mut Table, columns: std::ops::Range<usize>) {
+pub fn align_right(table: &mut Table, columns: std::ops::Range<usize>) {
     for column in table.column_iter_mut().skip(columns.start).take(columns.len()) {
         column.set_cell_alignment(CellAlignment::Right);
     }

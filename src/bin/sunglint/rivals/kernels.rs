@@ -12,18 +12,28 @@ use crate::options::Options;
 use crate::result::KernelRow;
 
 /// Steps of the progress bar.
-pub const STEPS: usize = 2;
+pub fn steps(options: &Options) -> usize {
+    soft(options).len()
+}
+
+/// Those of f32 in integers that were asked for.
+fn soft(options: &Options) -> Vec<Kernel> {
+    let wanted = |kernel: &Kernel| options.wants_method(kernel.name()) && options.wants_format(Format::F32);
+    [Kernel::Normalize, Kernel::Reflect].into_iter().filter(wanted).collect()
+}
 
 /// The errors of building blocks of `rows` by f32 in integers and by peers.
 pub fn errors(rows: &[KernelRow], options: &Options, progress: &ProgressBar) -> Vec<KernelRow> {
     let (seed, count) = (options.seed, kernels::pairs(options));
     progress.set_message(format!("building blocks by {SOFT}"));
-    let soft = [
-        of_soft(rows, Kernel::Normalize, &vectors::normalize_errors_of(soft::normalize, seed, count)),
-        of_soft(rows, Kernel::Reflect, &vectors::reflect_errors_of(soft::reflect, seed, count)),
-    ];
-    progress.inc(STEPS as u64);
-    soft.into_iter().flatten().chain(peers::rows().filter_map(|peer| of_peer(rows, &peer))).collect()
+    let soft = soft(options).into_iter().filter_map(|kernel| {
+        progress.inc(1);
+        match kernel {
+            Kernel::Normalize => of_soft(rows, kernel, &vectors::normalize_errors_of(soft::normalize, seed, count)),
+            _ => of_soft(rows, kernel, &vectors::reflect_errors_of(soft::reflect, seed, count)),
+        }
+    });
+    soft.chain(peers::rows().filter_map(|peer| of_peer(rows, &peer))).collect()
 }
 
 /// The row of a format's own code, with the error of f32 in integers.
