@@ -2,7 +2,6 @@
 
 use clap::{Args, ValueEnum};
 use serde::Serialize;
-use sunglint::material::Material;
 use sunglint::trial::Light;
 use sunglint::trial::chip::Core;
 
@@ -13,10 +12,14 @@ use crate::directions;
 use crate::failure::Failure;
 use crate::options::Options;
 
+/// The roughness of pixels where none is given: varnish.
+const ALPHA: f64 = 0.0625;
+
 /// `sunglint sweep`.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
-Without a light it is the Sun from Earth. Of lit pixels the methods karis, disc_ggx dir and cone_ggx are tried.
+Without a light it is the Sun from Earth. Of lit pixels the methods karis, disc_ggx dir and cone_ggx are tried,
+on a roughness of 0.0625 where none is given.
 Errors are of the formula and its arithmetic together, on vectors that the word holds exactly.
   sunglint sweep                                 the Sun's edge to 1 % of its radius
   sunglint sweep --tolerance 0.1 --on m0         the same to 0.1 %, cheapest on a Cortex-M0+
@@ -25,10 +28,6 @@ pub struct Arguments {
     /// What is measured, and how long.
     #[command(flatten)]
     pub options: Options,
-
-    /// Roughness of the lit pixels, as GGX width: 0 or 5e-4 to 1
-    #[arg(long, value_name = "A", default_value_t = 0.0625, value_parser = width, allow_negative_numbers = true)]
-    pub alpha: f64,
 
     /// What the tolerance is for
     #[arg(long = "for", value_enum, default_value_t)]
@@ -96,7 +95,8 @@ impl Arguments {
     /// # Errors
     /// [`Failure::Usage`] for a tolerance out of range and for a light that there is not.
     pub fn question(&self) -> Result<Question, Failure> {
-        let Self { goal, alpha, on, .. } = *self;
+        let Self { goal, on, .. } = *self;
+        let alpha = self.options.filter.alpha.unwrap_or(ALPHA);
         let tolerance = goal.checked(self.tolerance.unwrap_or(goal.default_tolerance()))?;
         let light = self.options.lights().first().copied().ok_or_else(Self::no_light)?;
         if goal == Goal::Pixel && light.light.cos() < 0.0 {
@@ -119,10 +119,4 @@ impl Arguments {
         let names: Vec<_> = directions::names().collect();
         Failure::Usage(format!("no light has that name; there are: {}", names.join("; ")))
     }
-}
-
-/// Takes a GGX width.
-fn width(typed: &str) -> Result<f64, String> {
-    let alpha = typed.parse().map_err(|_| "not a number".to_owned())?;
-    Material::new([0.0; 3], alpha, [0.0; 3]).map(|_| alpha).map_err(|error| error.to_string())
 }

@@ -82,6 +82,16 @@ pub fn sentence(question: &Question, answer: &Answer) -> String {
     format!("None: no format that is a type is within {limit}; the nearest is {method} in {format}, {error}.")
 }
 
+/// The two that come after the cheapest.
+fn next(answer: &Answer, goal: Goal) -> String {
+    let said = |Priced { row, price }: &Priced| {
+        let cost = if price.cost < 100.0 { number::cost(price.cost) } else { number::count(price.cost as u64) };
+        format!("{} in {}, {}, for {cost}", row.method, row.word, number::scientific(goal.error(row)))
+    };
+    let others: Vec<_> = answer.enough.iter().skip(1).take(2).map(said).collect();
+    if others.is_empty() { String::new() } else { format!("\nNext: {}.", others.join("; ")) }
+}
+
 fn place(question: &Question) -> String {
     match question.on.axis() {
         Axis::Host => "on this machine".to_owned(),
