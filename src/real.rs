@@ -6,7 +6,7 @@
 
 #[cfg(feature = "fixed")]
 pub(crate) mod fixed;
-mod float;
+pub(crate) mod float;
 #[cfg(feature = "half")]
 pub(crate) mod half;
 #[cfg(feature = "micromath")]

@@ -18,7 +18,8 @@ use crate::root::reciprocal_root;
 use crate::sphere::DistantSphere;
 use crate::vec3::{each, zip};
 
-type Lanes = [i32; 3];
+/// Raw bits of a vector.
+pub(crate) type Lanes = [i32; 3];
 
 /// A format whose raw bits fit in 32.
 trait Lane: Copy {
@@ -32,8 +33,9 @@ const fn round_shift(acc: i64, shift: u32) -> i64 {
     (acc >> shift).wrapping_add((acc >> (shift - 1)) & 1)
 }
 
+/// The dot product in twice the fraction bits, exact.
 #[inline]
-fn dot(a: Lanes, b: Lanes) -> i64 {
+pub(crate) fn dot(a: Lanes, b: Lanes) -> i64 {
     let [x, y, z] = zip(a, b, signed);
     x.wrapping_add(y).wrapping_add(z)
 }
@@ -46,7 +48,7 @@ const fn q31<const F: u32>(scalar: i64) -> i64 {
 
 /// `a x - b y` with `a`, `b` wide: products in Q(31 + F), rounded to QF once.
 #[inline]
-fn diff<const F: u32>(a: i64, x: Lanes, b: i64, y: Lanes) -> Lanes {
+pub(crate) fn diff<const F: u32>(a: i64, x: Lanes, b: i64, y: Lanes) -> Lanes {
     let (a, b) = (q31::<F>(a), q31::<F>(b));
     zip(x, y, |x, y| saturate(round_shift(product(a, x).wrapping_sub(product(b, y)), 31)))
 }
@@ -56,14 +58,15 @@ fn product(scalar: i64, lane: i32) -> i64 {
     scalar.wrapping_mul(i64::from(lane))
 }
 
+/// The nearest number of 32 bits.
 #[inline]
-fn saturate(lane: i64) -> i32 {
+pub(crate) fn saturate(lane: i64) -> i32 {
     lane.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
 }
 
 /// Shifts the largest lane into [1/2, 1) where it is smaller.
 #[inline]
-fn magnify<const F: u32>(v: Lanes) -> (Lanes, u32) {
+pub(crate) fn magnify<const F: u32>(v: Lanes) -> (Lanes, u32) {
     let size = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
     let shift = (size | 1).leading_zeros().saturating_sub(32 - F);
     (each(v, |lane| lane << shift), shift)
@@ -78,7 +81,7 @@ fn unit(square: u64) -> (u64, u32) {
 
 /// `l - versine l + s length / |s|`: the factor of `s` in Q32, sums in Q(32 + F), rounded to QF once.
 #[inline]
-fn rim<const F: u32>(l: Lanes, versine: i64, s: Lanes, square: u64, length: i64) -> Lanes {
+pub(crate) fn rim<const F: u32>(l: Lanes, versine: i64, s: Lanes, square: u64, length: i64) -> Lanes {
     let (mantissa, half) = unit(square | 1);
     // A Q31 length times a Q31 mantissa, less the 63 - F bits that turn lanes into units, but for the bit that Q32
     // has more.
@@ -87,8 +90,9 @@ fn rim<const F: u32>(l: Lanes, versine: i64, s: Lanes, square: u64, length: i64)
     zip(l, s, |l, s| saturate(round_shift(product(remain, l).wrapping_add(product(k as i64, s)), 32)))
 }
 
+/// `v` at unit length; zero where `v` is zero.
 #[inline]
-fn normalize<const F: u32>(v: Lanes) -> Lanes {
+pub(crate) fn normalize<const F: u32>(v: Lanes) -> Lanes {
     let square = dot(v, v) as u64;
     if square == 0 {
         return [0; 3];
@@ -99,7 +103,7 @@ fn normalize<const F: u32>(v: Lanes) -> Lanes {
 
 /// Squared sine and cosines of the half vector from integers alone: cross and dot products are exact.
 #[inline]
-fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled, in_plane: bool) -> Halfway<Scaled> {
+pub(crate) fn halfway<const F: u32>(n: Lanes, l: Lanes, v: Lanes, gain: Scaled, in_plane: bool) -> Halfway<Scaled> {
     let (exponent, twice) = const { (-(F as i32), -2 * F as i32) };
     let sum = zip(l, v, |l, v| i64::from(l) + i64::from(v));
     let square = sum_of_squares(each(sum, |lane| Scaled::from_bits(lane, exponent)));

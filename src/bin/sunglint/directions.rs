@@ -189,7 +189,8 @@ pub fn row<T: Real>(light: Light, method: Method, format: Format, judgement: &Ju
     }
 }
 
-fn failure<T>(judgement: &Judgement<T>) -> Option<String> {
+/// How a method fails, if it does.
+pub fn failure<T>(judgement: &Judgement<T>) -> Option<String> {
     let failure = if judgement.undirected == judgement.samples {
         "NaN"
     } else if judgement.disc_lost >= DISC_LOST {

@@ -51,6 +51,7 @@ pub enum Command {
     /// Draw lit spheres, the truth and where the error sits, as PNG
     Render(pictures::Arguments),
     /// How many bits are enough? Try word lengths that types have and that none has
+    #[command(mut_arg("out", |out| out.hide(true)))]
     Sweep(sweep::Arguments),
     /// Run failures that were reported elsewhere, and their cures
     Preset(presets::Arguments),
