@@ -1,6 +1,7 @@
 //! Failures that users of other software have reported, run as named: the form that fails and its cure.
 
 mod angle;
+pub mod chart;
 mod console;
 mod distant_light;
 mod fast_root;
@@ -45,6 +46,8 @@ pub struct Axes {
     pub input: &'static str,
     /// Beside it.
     pub measure: &'static str,
+    /// Its ticks are 0.1 times powers of this.
+    pub base: f64,
     /// The least value that is shown; what is below is drawn there.
     pub lowest: f64,
 }

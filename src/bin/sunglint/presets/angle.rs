@@ -28,17 +28,17 @@ const CHORD: &str = "2 asin(|a - b| / 2), f32";
 type Form = fn([f32; 3], [f32; 3]) -> f32;
 
 fn plain(a: [f32; 3], b: [f32; 3]) -> f32 {
-    <f32 as Real>::dot(a, b).acos()
+    libm::acosf(<f32 as Real>::dot(a, b))
 }
 
 fn clamped(a: [f32; 3], b: [f32; 3]) -> f32 {
-    <f32 as Real>::dot(a, b).clamp(-1.0, 1.0).acos()
+    libm::acosf(<f32 as Real>::dot(a, b).clamp(-1.0, 1.0))
 }
 
 /// By the chord, as this crate compares directions everywhere.
 fn chord(a: [f32; 3], b: [f32; 3]) -> f32 {
     let square = <f32 as Real>::square([0, 1, 2].map(|i| a[i] - b[i]));
-    2.0 * (square.sqrt() / 2.0).asin()
+    2.0 * libm::asinf(square.sqrt() / 2.0)
 }
 
 /// Unit vectors, and others a Sun's radius away.

@@ -104,12 +104,13 @@ fn directions<T: Real>(count: usize) -> [f64; 3] {
     [worst(vectors.iter().map(dots)), worst(vectors.iter().map(normals)), worst(vectors.iter().map(rays))]
 }
 
-/// Centres of the Sun, and directions up to three radii off them.
+/// Centres of the Sun, and directions up to three radii off them, half of these within a hundredth of the rim.
 fn beside_the_sun(count: usize) -> impl Iterator<Item = [Vector; 2]> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     input::random(3, count, 1.0).enumerate().map(move |(index, pair)| {
-        let away = 3.0 * (index as f64 + 0.5) / count as f64 * SUN.angular_radius();
-        [pair.l, oracle::cone::at(pair.l, away, (index as f64 * GOLDEN).fract())]
+        let share = (index as f64 + 0.5) / count as f64;
+        let radii = if index % 2 == 0 { 3.0 * share } else { 0.99 + 0.02 * share };
+        [pair.l, oracle::cone::at(pair.l, radii * SUN.angular_radius(), (index as f64 * GOLDEN).fract())]
     })
 }
 

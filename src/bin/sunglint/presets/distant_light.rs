@@ -18,6 +18,7 @@ pub const PRESET: Preset = Preset {
         title: "Factor of a distant light, f32",
         input: "angle (diameter), degrees",
         measure: "error, per cent",
+        base: 10.0,
         lowest: 1e-6,
     }),
     measure,
@@ -34,7 +35,7 @@ const OURS: &str = "1 / solid_angle(x), f32";
 const POINT: &str = "inverse_size_factor(0), f32";
 
 fn plain(theta: f32) -> f64 {
-    (1.0 / (2.0 * PI * (1.0 - theta.cos()))).into()
+    (1.0 / (2.0 * PI * (1.0 - libm::cosf(theta)))).into()
 }
 
 /// Of the sine, which is what a light described by radius and distance has anyway.
@@ -47,7 +48,7 @@ fn errors(angle: f64) -> [f64; 2] {
     let theta = (angle / 2.0).to_radians() as f32;
     let x = DistantLight::from_angle(angle).map_or(f32::NAN, |light| light.sin() as f32);
     let off = |factor: f64, theta: f64| 100.0 * (factor * oracle::solid_angle(theta) - 1.0).abs();
-    [off(plain(theta), theta.into()), off(ours(x), f64::from(x).asin())]
+    [off(plain(theta), theta.into()), off(ours(x), libm::asin(x.into()))]
 }
 
 fn off_at(angle: f64) -> String {
@@ -76,13 +77,14 @@ fn measure(_effort: Effort) -> Vec<PresetRow> {
 
 fn verdict(rows: &[PresetRow]) -> String {
     format!(
-        "By the cosine the factor is {} % off for the Sun's angle, {} % at {} degrees, and {} at 0; by the sine {} %, {} % and {}.",
+        "By the cosine the factor is {} % off for the Sun's angle and {} % at {} degrees, and at 0 it is {}; by the sine {} %, \
+         {} %, and {} for a light without size.",
         figure(rows, PLAIN, &off_at(ANGLES[0])),
-        figure(rows, PLAIN, &off_at(ANGLES[2])),
-        ANGLES[2],
+        figure(rows, PLAIN, &off_at(ANGLES[1])),
+        ANGLES[1],
         figure(rows, PLAIN, AT_ZERO),
         figure(rows, OURS, &off_at(ANGLES[0])),
-        figure(rows, OURS, &off_at(ANGLES[2])),
+        figure(rows, OURS, &off_at(ANGLES[1])),
         figure(rows, POINT, AT_ZERO)
     )
 }

@@ -26,11 +26,12 @@ const ALPHA: f64 = 0.089 * 0.089;
 
 const OFF: &str = "pixels off by more than 10 %, per cent";
 const TWICE: &str = "pixels off by a factor of 2 or more, per cent";
-const ALLOWED: f64 = 5.0;
+const ALLOWED: f64 = 1.0;
 
 const PLAIN: &str = "1 - (n.h)^2, f16";
 const CROSS: &str = "|n x h|^2, f16";
-const OURS: &str = "PointGgx, f16";
+const CROSS_FLUSHED: &str = "|n x h|^2, flushing f16";
+const OURS: &str = "PointGgx, flushing f16";
 
 /// How `1 - (n.h)^2` is formed.
 #[derive(Clone, Copy)]
@@ -58,10 +59,11 @@ fn highlight<T: Float>(tilt: Tilt, [n, v, l]: Lanes<T>, alpha: T) -> f64 {
     density.exact() * smith(n_dot_l, n_dot_v, alpha).exact()
 }
 
-fn rows_of<T: Float>(format: &str, count: usize) -> Vec<PresetRow> {
+/// The cross product cures where its small squares are kept.
+fn rows_of<T: Float>(format: &str, cross: &'static str, count: usize) -> Vec<PresetRow> {
     let forms: [(&str, &str, Found); 3] = [
         (FAILS, "1 - (n.h)^2", of_pixels::<T>(ALPHA, count, |lanes, alpha| highlight(Tilt::Subtracted, lanes, alpha))),
-        (FAILS, "|n x h|^2", of_pixels::<T>(ALPHA, count, |lanes, alpha| highlight(Tilt::Cross, lanes, alpha))),
+        (cross, "|n x h|^2", of_pixels::<T>(ALPHA, count, |lanes, alpha| highlight(Tilt::Cross, lanes, alpha))),
         (CURE, "PointGgx", of_pixels::<T>(ALPHA, count, by_this_crate)),
     ];
     let rows = |(role, form, found): (&'static str, &str, Found)| {
@@ -77,15 +79,17 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
     let count = effort.count(2000, 40_000);
     let exact = PresetRow::new(TRUTH, "f64", "1 - (n.h)^2 a width off the middle", ALPHA * ALPHA);
     let step = PresetRow::new(TRUTH, "f16", "step of n.h below 1", f16::ONE.exact() - f16::from_bits(0x3bff).exact());
-    [vec![exact, step], rows_of::<f16>("f16", count), rows_of::<Flushing>("flushing f16", count)].concat()
+    [vec![exact, step], rows_of::<f16>("f16", CURE, count), rows_of::<Flushing>("flushing f16", FAILS, count)].concat()
 }
 
 fn verdict(rows: &[PresetRow]) -> String {
     let of = |form| figure(rows, form, OFF);
     format!(
-        "{} % of the pixels are off by more than a tenth by the subtraction, {} % by the cross product, {} % here.",
+        "By the subtraction {} % of the pixels are off by more than a tenth. The cross product leaves {} %, but {} % where f16 \
+         flushes its small squares; PointGgx leaves {} % there.",
         of(PLAIN),
         of(CROSS),
+        of(CROSS_FLUSHED),
         of(OURS)
     )
 }

@@ -19,6 +19,7 @@ pub const PRESET: Preset = Preset {
         title: "Difference of the whole highlight from the integral over the disc",
         input: "alpha, the GGX width",
         measure: "relative L1, per cent",
+        base: 10.0,
         lowest: 0.001,
     }),
     measure,
@@ -35,9 +36,9 @@ const QUICK_ALPHAS: [f64; 4] = [POLISH, 4e-3, 0.02, 0.1];
 const GOOD: f64 = 1.0;
 const ALLOWED: f64 = 10.0;
 
-const L1: &str = "whole highlight off (relative L1), per cent";
-const PEAK: &str = "brightest value over the true one, less 1, per cent";
-const WIDTH: &str = "width at half of the brightest value off, per cent";
+const L1: &str = "whole highlight off by (relative L1), per cent";
+const PEAK: &str = "brightest value off by, per cent";
+const WIDTH: &str = "width at half of the brightest value off by, per cent";
 const ENOUGH: &str = "alpha from which 1 % is kept";
 
 const POINT: &str = "GGX at the centre, a point";

@@ -19,6 +19,7 @@ pub const PRESET: Preset = Preset {
         title: "Pixels off by a factor of 2 or more, or no number",
         input: "roughness",
         measure: "per cent of the pixels",
+        base: 2.0,
         lowest: 0.01,
     }),
     measure,

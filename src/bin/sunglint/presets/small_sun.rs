@@ -61,7 +61,7 @@ fn cone(ratio: f64) -> Option<Cone<f32>> {
 
 fn samples(count: u32) -> [PresetRow; 4] {
     let x = SUN.sin() as f32;
-    let published = even(count).map(|z| libm_acos(1.0 - z + z * (1.0 - x * x).sqrt()));
+    let published = even(count).map(|z| f64::from(libm::acosf(1.0 - z + z * (1.0 - x * x).sqrt())));
     let here = cone(SUN.sin());
     let ours = even(count).map(|z| {
         let direction = here.map_or([f32::NAN; 3], |cone| cone.direction([z, 0.0]));
@@ -76,10 +76,6 @@ fn samples(count: u32) -> [PresetRow; 4] {
         ]
     });
     [a, b, c, d]
-}
-
-fn libm_acos(cosine: f32) -> f64 {
-    f64::from(cosine.acos())
 }
 
 /// Samples that cannot be told from the centre.
