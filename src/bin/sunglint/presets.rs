@@ -3,6 +3,7 @@
 mod angle;
 pub mod chart;
 mod console;
+mod cordic;
 mod distant_light;
 mod fast_root;
 mod flushing;
@@ -71,7 +72,7 @@ impl Effort {
 }
 
 /// All of them, in the order of the page.
-pub const ALL: [Preset; 8] = [
+pub const ALL: [Preset; 9] = [
     mediump::PRESET,
     roughness::PRESET,
     console::PRESET,
@@ -80,6 +81,7 @@ pub const ALL: [Preset; 8] = [
     angle::PRESET,
     distant_light::PRESET,
     fast_root::PRESET,
+    cordic::PRESET,
 ];
 
 impl Preset {

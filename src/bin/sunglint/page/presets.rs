@@ -1,10 +1,11 @@
 //! Failures that were reported, and their cures.
 
-use super::cells::{cell, escape, text};
+use super::cells::{self, cell, escape, text};
 use crate::presets::{self, Preset, PresetRow, chart, shown};
 use crate::result::Study;
 
-const INTRODUCTION: &str = "<p>Each of these was reported by users of other software, or is written in its documentation. The run behind this \
+const INTRODUCTION: &str = "<p>Each of these was reported by users of other software, is written in its documentation, or \
+was found while this crate was compared with it. The run behind this \
 page computed the plain form and its cure on the same inputs, and judged both by what the last column allows. Errors are against \
 f64, of the inputs as they were rounded into the format. <em>Flushing f16</em> is f16 whose subnormal results become zero, as on many \
 phones.</p>";
@@ -24,7 +25,8 @@ fn article(preset: &Preset, rows: &[PresetRow]) -> Option<String> {
     }
     let figure = preset.chart.as_ref().map(|axes| {
         let svg = chart::against(&rows, axes);
-        format!("<figure><div class=\"wide\" tabindex=\"0\">{svg}</div></figure>\n")
+        let note = format!("What is below {} is drawn on the lower edge.", shown(axes.lowest));
+        cells::figure(&[], &note, &svg)
     });
     Some(format!(
         "<article id=\"preset-{name}\">\n<h3>{question}</h3>\n<p>Reported: {source}.</p>\n<p><strong>{verdict}</strong></p>\n\

@@ -9,8 +9,8 @@ use super::{Effort, Preset};
 
 pub const PRESET: Preset = Preset {
     name: "angle-by-acos",
-    source: "godotengine/godot, issue 8111 (2017); opentk/opentk, issue 222 (2015); yoanlcq/vek, issue 47 (2020): no number for \
-             vectors that are parallel, cured there by a clamp",
+    source: "opentk/opentk, issue 222 (2015), cured by a clamp; godotengine/godot, issue 8111 (2017); yoanlcq/vek, issue 47 \
+             (2020): no number for vectors that are parallel",
     question: "What is the angle between a unit vector and itself, or one that is a Sun's radius away, in f32?",
     chart: None,
     measure,
@@ -23,6 +23,7 @@ const BESIDE: &str = "angle of the Sun's radius off by at most, per cent";
 
 const PLAIN: &str = "acos(a.b), f32";
 const CLAMPED: &str = "acos(clamp(a.b, -1, 1)), f32";
+const CROSS: &str = "atan2(|a x b|, a.b), f32";
 const CHORD: &str = "2 asin(|a - b| / 2), f32";
 
 type Form = fn([f32; 3], [f32; 3]) -> f32;
@@ -33,6 +34,11 @@ fn plain(a: [f32; 3], b: [f32; 3]) -> f32 {
 
 fn clamped(a: [f32; 3], b: [f32; 3]) -> f32 {
     libm::acosf(<f32 as Real>::dot(a, b).clamp(-1.0, 1.0))
+}
+
+fn by_cross_product(a: [f32; 3], b: [f32; 3]) -> f32 {
+    let cross = [0, 1, 2].map(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+    libm::atan2f(<f32 as Real>::dot(cross, cross).sqrt(), <f32 as Real>::dot(a, b))
 }
 
 /// By the chord, as this crate compares directions everywhere.
@@ -75,8 +81,10 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
         PresetRow::new(role, &form, measure, value).at_most(limit)
     };
     rows.extend([row(FAILS, lost, 0.0), row(FAILS, itself, 1.0), row(FAILS, still, 1.0)]);
-    let [lost, itself, beside] = rows_of(CHORD, chord, count);
-    rows.extend([row(CURE, lost, 0.0), row(CURE, itself, 1.0), row(CURE, beside, 0.1)]);
+    for (name, form) in [(CROSS, by_cross_product as Form), (CHORD, chord)] {
+        let [lost, itself, beside] = rows_of(name, form, count);
+        rows.extend([row(CURE, lost, 0.0), row(CURE, itself, 1.0), row(CURE, beside, 0.1)]);
+    }
     rows
 }
 

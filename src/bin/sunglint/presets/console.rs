@@ -86,9 +86,8 @@ fn narrow_directions(count: usize) -> [f64; 3] {
     let vectors: Vec<_> = pairs(count).map(|pair| pair.map(q16)).collect();
     let dots = |&[n, v]: &[[i32; 3]; 2]| (f64::from(dot(n, v)) - exact_dot(exact(n), exact(v)) * 65536.0).abs();
     let normals = |&[n, _]: &[[i32; 3]; 2]| in_radii(angle_between(exact(n), exact(narrow_normalize(n))));
-    let rays = |&[n, v]: &[[i32; 3]; 2]| {
-        in_radii(angle_between(mirrored(exact(n), exact(v)), exact(narrow_reflect(n, v))))
-    };
+    let rays =
+        |&[n, v]: &[[i32; 3]; 2]| in_radii(angle_between(mirrored(exact(n), exact(v)), exact(narrow_reflect(n, v))));
     [worst(vectors.iter().map(dots)), worst(vectors.iter().map(normals)), worst(vectors.iter().map(rays))]
 }
 
@@ -96,9 +95,7 @@ fn narrow_directions(count: usize) -> [f64; 3] {
 fn directions<T: Real>(count: usize) -> [f64; 3] {
     let vectors: Vec<_> = pairs(count).map(|pair| pair.map(|vector| vector.map(T::from_f64))).collect();
     let back = |vector: [T; 3]| vector.map(T::to_f64);
-    let dots = |&[n, v]: &[[T; 3]; 2]| {
-        (T::scalar(T::dot(n, v)).exact() - exact_dot(back(n), back(v))).abs() * 65536.0
-    };
+    let dots = |&[n, v]: &[[T; 3]; 2]| (T::scalar(T::dot(n, v)).exact() - exact_dot(back(n), back(v))).abs() * 65536.0;
     let normals = |&[n, _]: &[[T; 3]; 2]| in_radii(angle_between(back(n), back(normalize(n))));
     let rays = |&[n, v]: &[[T; 3]; 2]| in_radii(angle_between(mirrored(back(n), back(v)), back(reflect(n, v))));
     [worst(vectors.iter().map(dots)), worst(vectors.iter().map(normals)), worst(vectors.iter().map(rays))]
@@ -192,4 +189,24 @@ fn verdict(rows: &[PresetRow]) -> String {
         of(SHORT, EDGE),
         of(SHORT, "instructions of reflect on a Cortex-M0+")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_product_has_eight_bits_of_each_factor_less() {
+        assert_eq!([product(65536, 65536), product(-32768, 98304), product(255, 65536)], [65536, -49152, 0]);
+        // Rounded down: a step below zero counts for 256.
+        assert_eq!([product(-1, 65536), product(-1, -1)], [-256, 1]);
+    }
+
+    #[test]
+    fn instructions_are_those_of_the_table() {
+        let rows = instructions("I2F14", SHORT);
+        let median = chip::rows().find(|row| (row.function, row.format) == ("reflect", "I2F14"));
+        let median = median.and_then(|row| row.on(Core::M0)).map_or(0, |cost| cost.median);
+        assert_eq!((rows.len(), rows[2].value), (3, f64::from(median)));
+    }
 }

@@ -71,3 +71,16 @@ fn verdict(rows: &[PresetRow]) -> String {
         figure(rows, OURS, MISSED)
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::row::value;
+    use super::*;
+
+    /// The root by an exponent alone is 3.4 % off at most.
+    #[test]
+    fn the_length_is_as_far_off_as_is_known() {
+        let off = value(&measure(Effort::Quick), FAST, LENGTH);
+        assert!((3.35..=3.45).contains(&off), "{off}");
+    }
+}

@@ -93,3 +93,17 @@ fn verdict(rows: &[PresetRow]) -> String {
         of(OURS)
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// It is the arithmetic that fails, not the formula.
+    #[test]
+    fn both_forms_are_right_in_f64() {
+        for tilt in [Tilt::Subtracted, Tilt::Cross] {
+            let found = of_pixels::<f64>(ALPHA, 1000, |lanes, alpha| highlight(tilt, lanes, alpha).min(1e300));
+            assert_eq!((found.pixels, found.tenth), (1000, 0));
+        }
+    }
+}

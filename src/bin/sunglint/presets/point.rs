@@ -86,10 +86,7 @@ fn shape(role: &'static str, form: &str, value: impl Fn(&Pixel) -> f64) -> [Pres
     let truth = |pixel: &Pixel| rule.highlight(&glossy, pixel);
     let peak = 100.0 * (value(&viewer(0.0)) / truth(&viewer(0.0)) - 1.0).abs();
     let width = 100.0 * (half_width(value) / half_width(truth) - 1.0).abs();
-    [
-        PresetRow::new(role, form, PEAK, peak).at_most(ALLOWED),
-        PresetRow::new(role, form, WIDTH, width).at_most(ALLOWED),
-    ]
+    [PresetRow::new(role, form, PEAK, peak).at_most(ALLOWED), PresetRow::new(role, form, WIDTH, width).at_most(ALLOWED)]
 }
 
 fn named(method: Shading) -> &'static str {
@@ -142,4 +139,29 @@ fn verdict(rows: &[PresetRow]) -> String {
         figure(rows, named(METHODS[1]), L1),
         figure(rows, POINT, ENOUGH)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where a straight line says that a point is good to one per cent, the integral says so too.
+    #[test]
+    fn the_width_from_which_a_point_is_enough_is_where_it_should_be() {
+        let all: Vec<_> = ALPHAS.iter().map(|&alpha| (alpha, errors(alpha, Effort::Quick))).collect();
+        let alpha = enough(&all);
+        let [above, below] = [0.9, 1.1].map(|factor| errors(factor * alpha, Effort::Quick)[0]);
+        assert!(above > GOOD && below < GOOD, "{alpha}: {above} {below}");
+        assert!(enough(&[]).is_nan() && enough(&all[..2]).is_nan());
+    }
+
+    /// A light in one direction makes `D V F (n.l)` itself, and a viewer `away` sees as much less as GGX says.
+    #[test]
+    fn the_half_width_of_a_point_is_that_of_ggx() {
+        let glossy = glossy(POLISH);
+        // D falls to a half at a tangent of alpha sqrt(sqrt(2) - 1) of the half vector, which turns half as far.
+        let expected = 2.0 * POLISH * (2_f64.sqrt() - 1.0).sqrt();
+        let found = half_width(|pixel| glossy.brdf(pixel));
+        assert!((found / expected - 1.0).abs() < 2e-3, "{found} {expected}");
+    }
 }

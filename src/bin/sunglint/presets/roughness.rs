@@ -26,7 +26,7 @@ pub const PRESET: Preset = Preset {
     verdict,
 };
 
-/// The least roughness of three.js in 2016, and from 2020 on.
+/// The least roughness of three.js in 2016, and later.
 const CLAMPS: [f64; 2] = [0.04, 0.0525];
 
 /// On the chart.
@@ -60,9 +60,8 @@ fn ours<T: Float>(roughness: f64, count: usize) -> Found {
 }
 
 fn judged(role: &'static str, form: &str, found: Found) -> [PresetRow; 2] {
-    [(LOST, found.lost), (TWICE, found.twice)].map(|(measure, pixels)| {
-        PresetRow::new(role, form, measure, per_cent(pixels, found.pixels)).at_most(ALLOWED)
-    })
+    [(LOST, found.lost), (TWICE, found.twice)]
+        .map(|(measure, pixels)| PresetRow::new(role, form, measure, per_cent(pixels, found.pixels)).at_most(ALLOWED))
 }
 
 fn curve(count: usize) -> impl Iterator<Item = PresetRow> {
@@ -112,4 +111,16 @@ fn verdict(rows: &[PresetRow]) -> String {
         of(OURS, CLAMPS[0]),
         CLAMPS[0]
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// It is the arithmetic that fails, not the formula.
+    #[test]
+    fn the_form_is_right_in_f64() {
+        let found = plain::<f64>(CLAMPS[0], 1000);
+        assert_eq!((found.pixels, found.tenth), (1000, 0));
+    }
 }

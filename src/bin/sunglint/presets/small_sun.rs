@@ -13,7 +13,7 @@ use super::{Effort, Preset};
 pub const PRESET: Preset = Preset {
     name: "path-tracer-small-sun",
     source: "mmp/pbrt-v3, pull request 212 (2018): spheres narrower than 1.5 degrees collapse to a point in f32; \
-             LuxCoreRender, issue 443 (2020): soft shadows of small lights turn hard, and band",
+             LuxCoreRender/LuxCore, issue 443 (2020): soft shadows of small lights turn hard, and band",
     question: "Which directions of the Sun does a path tracer sample in f32, and with what density?",
     chart: None,
     measure,
@@ -90,9 +90,7 @@ fn centres(count: u32) -> [PresetRow; 2] {
         let [x, y, _] = here.map_or([0.0; 3], |cone| cone.direction([z, 0.3]));
         x.hypot(y)
     };
-    let share = |sine: &dyn Fn(f32) -> f32| {
-        per_cent(even(count).filter(|&z| sine(z) == 0.0).count(), count as usize)
-    };
+    let share = |sine: &dyn Fn(f32) -> f32| per_cent(even(count).filter(|&z| sine(z) == 0.0).count(), count as usize);
     [
         PresetRow::new(FAILS, SINE, CENTRE, share(&sine)).at_most(0.1),
         PresetRow::new(CURE, OURS, CENTRE, share(&across)).at_most(0.1),

@@ -63,4 +63,11 @@ mod tests {
         let written = values.map(shown);
         assert_eq!(written, ["0", "93", "183", "1\u{202f}048\u{202f}576", "3.0e-7", "infinite", "0.050"]);
     }
+
+    #[test]
+    fn json_has_all_rows_and_no_number_is_null() {
+        let rows = [PresetRow::new("fails", "a", "b", f64::INFINITY), PresetRow::new("cure", "a", "b", 2.0)];
+        let value: serde_json::Value = serde_json::from_str(&json(&rows)).expect("JSON");
+        assert_eq!((value[0]["value"].is_null(), value[1]["value"].as_f64()), (true, Some(2.0)));
+    }
 }

@@ -1,0 +1,72 @@
+//! A root that does not return.
+
+use sunglint::fixed::types::I16F16;
+use sunglint::trial::chip::{self, Core, peers};
+use sunglint::{Real, Scalar};
+
+use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, worst};
+use super::{Effort, Preset};
+
+pub const PRESET: Preset = Preset {
+    name: "cordic-root",
+    source: "crate cordic 0.1.5, found by this crate's tests/peers (2026), whose figures stand here: it is not called, since it \
+             would not return",
+    question: "What is the square root of a 16.16 number by a CORDIC?",
+    chart: None,
+    measure,
+    verdict,
+};
+
+const BY: &str = "cordic 0.1.5";
+const ERROR: &str = "off by at most, steps of 2^-16";
+const UP_TO: &str = "greatest input that was answered";
+const COUNT: &str = "instructions on a Cortex-M0+";
+
+const OURS: &str = "root of Scaled, I16F16";
+
+/// What the peer's own row says.
+fn theirs() -> Option<peers::Peer> {
+    peers::rows().find(|peer| peer.by == BY && peer.function == "root")
+}
+
+/// Numbers over the whole range, evenly in the logarithm.
+fn inputs(count: usize) -> impl Iterator<Item = I16F16> {
+    let bits = move |index: usize| (31.0 * index as f64 / count as f64).exp2() as i32;
+    (0..=count).map(move |index| I16F16::from_bits(bits(index)))
+}
+
+fn root(value: I16F16) -> I16F16 {
+    I16F16::lane(I16F16::of_lane(value).root())
+}
+
+fn instructions(by: &str) -> f64 {
+    let row = chip::rows().find(|row| (row.function, row.format, row.by) == ("root", "I16F16", by));
+    row.and_then(|row| row.on(Core::M0)).map_or(f64::NAN, |cost| cost.median.into())
+}
+
+fn measure(effort: Effort) -> Vec<PresetRow> {
+    let tried = || inputs(effort.count(10_000, 200_000));
+    let off = |value: I16F16| (root(value).to_f64() - value.to_f64().sqrt()).abs() * 65536.0;
+    let greatest = worst(tried().map(I16F16::to_f64));
+    let error = theirs().map_or(f64::NAN, |peer| peer.error);
+    vec![
+        PresetRow::new(TRUTH, "I16F16", "greatest number", I16F16::MAX.to_f64()),
+        PresetRow::new(FAILS, BY, ERROR, error).at_most(1.0),
+        PresetRow::new(TRUTH, BY, COUNT, instructions(BY)),
+        PresetRow::new(CURE, OURS, ERROR, worst(tried().map(off))).at_most(1.0),
+        PresetRow::new(CURE, OURS, UP_TO, greatest).at_least(16384.0),
+        PresetRow::new(CURE, OURS, COUNT, instructions("sunglint")),
+    ]
+}
+
+fn verdict(rows: &[PresetRow]) -> String {
+    format!(
+        "Of the peer is on record: {}; {} steps off where it does, in {} instructions. The root here returns everywhere, within \
+         {} steps, in {}.",
+        theirs().map_or("nothing", |peer| peer.note),
+        figure(rows, BY, ERROR),
+        figure(rows, BY, COUNT),
+        figure(rows, OURS, ERROR),
+        figure(rows, OURS, COUNT)
+    )
+}
