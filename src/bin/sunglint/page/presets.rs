@@ -4,10 +4,10 @@ use super::cells::{self, cell, escape, text};
 use crate::presets::{self, Preset, PresetRow, chart, shown};
 use crate::result::Study;
 
-const INTRODUCTION: &str = "<p>Each of these was reported by users of other software, is written in its documentation, or \
-was found while this crate was compared with it. The run behind this \
-page computed the plain form and its cure on the same inputs, and judged both by what the last column allows. Errors are against \
-f64, of the inputs as they were rounded into the format. <em>Flushing f16</em> is f16 whose subnormal results become zero, as on many \
+const INTRODUCTION: &str = "<p>Each of these was reported by users of other software, is written in its \
+documentation, or was found while this crate was compared with it. The run behind this page computed the plain form \
+and its cure on the same inputs, and judged both by what the last column allows. Errors are against f64, of the inputs \
+as they were rounded into the format. <em>Flushing f16</em> is f16 whose subnormal results become zero, as on many \
 phones.</p>";
 
 const COLUMNS: [&str; 5] = ["", "form", "measured", "value", "allowed"];
@@ -29,8 +29,9 @@ fn article(preset: &Preset, rows: &[PresetRow]) -> Option<String> {
         cells::figure(&[], &note, &svg)
     });
     Some(format!(
-        "<article id=\"preset-{name}\">\n<h3>{question}</h3>\n<p>Reported: {source}.</p>\n<p><strong>{verdict}</strong></p>\n\
-         {table}\n{figure}<p>To run it: <code>sunglint preset {name}</code></p>\n</article>\n",
+        "<article id=\"preset-{name}\">\n<h3>{question}</h3>\n<p>Reported: {source}.</p>\n\
+         <p><strong>{verdict}</strong></p>\n{table}\n{figure}\
+         <p>To run it: <code>sunglint preset {name}</code></p>\n</article>\n",
         name = preset.name,
         question = escape(preset.question),
         source = escape(preset.source),

@@ -9,8 +9,8 @@ use super::{Effort, Preset};
 
 pub const PRESET: Preset = Preset {
     name: "angle-by-acos",
-    source: "opentk/opentk, issue 222 (2015), cured by a clamp; godotengine/godot, issue 8111 (2017); yoanlcq/vek, issue 47 \
-             (2020): no number for vectors that are parallel",
+    source: "opentk/opentk, issue 222 (2015), cured by a clamp; godotengine/godot, issue 8111 (2017); yoanlcq/vek, \
+             issue 47 (2020): no number for vectors that are parallel",
     question: "What is the angle between a unit vector and itself, or one that is a Sun's radius away, in f32?",
     chart: None,
     measure,
@@ -90,8 +90,8 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
 
 fn verdict(rows: &[PresetRow]) -> String {
     format!(
-        "By acos {} % of the vectors have no angle to themselves; with a clamp they have one, but still up to {} % of the \
-         Sun's radius. By the chord it is {}.",
+        "By acos {} % of the vectors have no angle to themselves; with a clamp they have one, but still up to {} % \
+         of the Sun's radius. By the chord it is {}.",
         figure(rows, PLAIN, NO_NUMBER),
         figure(rows, CLAMPED, ITSELF),
         figure(rows, CHORD, ITSELF)

@@ -12,8 +12,8 @@ use super::{Effort, Preset};
 
 pub const PRESET: Preset = Preset {
     name: "console-16.16",
-    source: "the product of GBA homebrew and of Skia's SkFixedMul_lowprec (src/core/SkScan_DAAPath.cpp, 2016); asked for on \
-             the djgpp list in July 1997, since a 16.16 product overflows 32 bits",
+    source: "the product of GBA homebrew and of Skia's SkFixedMul_lowprec (src/core/SkScan_DAAPath.cpp, 2016); asked \
+             for on the djgpp list in July 1997, since a 16.16 product overflows 32 bits",
     question: "Where is the Sun, and where does its disc end, in 16.16 without wide products?",
     chart: None,
     measure,
@@ -181,8 +181,9 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
 fn verdict(rows: &[PresetRow]) -> String {
     let of = |form, measure| figure(rows, form, measure);
     format!(
-        "Narrow products turn a mirror ray by up to {} % of the Sun's radius and move the disc's edge by {} %; sums that stay \
-         wide, in I2F14, {} % and {} %, for {} instructions a mirror ray on a Cortex-M0+, which has no wide products either.",
+        "Narrow products turn a mirror ray by up to {} % of the Sun's radius and move the disc's edge by {} %; sums \
+         that stay wide, in I2F14, {} % and {} %, for {} instructions a mirror ray on a Cortex-M0+, which has no \
+         wide products either.",
         of(NARROW, REFLECT),
         of(BY_CHORD, EDGE),
         of(SHORT, REFLECT),

@@ -11,8 +11,9 @@ use super::{Axes, Effort, Preset};
 
 pub const PRESET: Preset = Preset {
     name: "distant-light-angle",
-    source: "LuxCoreRender/LuxCore, issue 298 (2020), which gives 1 / (2 pi (1 - cos theta)) with the cosine kept below 1; PixarAnimationStudios/OpenUSD, \
-             pull request 3182 (2025), on UsdLux DistantLight, whose sizeFactor is 1 at an angle of 0",
+    source: "LuxCoreRender/LuxCore, issue 298 (2020), which gives 1 / (2 pi (1 - cos theta)) with the cosine kept \
+             below 1; PixarAnimationStudios/OpenUSD, pull request 3182 (2025), on UsdLux DistantLight, whose \
+             sizeFactor is 1 at an angle of 0",
     question: "By what is a distant light multiplied, in f32, to give the same illuminance whatever its angle?",
     chart: Some(Axes {
         title: "Factor of a distant light, f32",
@@ -77,8 +78,8 @@ fn measure(_effort: Effort) -> Vec<PresetRow> {
 
 fn verdict(rows: &[PresetRow]) -> String {
     format!(
-        "By the cosine the factor is {} % off for the Sun's angle and {} % at {} degrees, and at 0 it is {}; by the sine {} %, \
-         {} %, and {} for a light without size.",
+        "By the cosine the factor is {} % off for the Sun's angle and {} % at {} degrees, and at 0 it is {}; by the \
+         sine {} %, {} %, and {} for a light without size.",
         figure(rows, PLAIN, &off_at(ANGLES[0])),
         figure(rows, PLAIN, &off_at(ANGLES[1])),
         ANGLES[1],

@@ -11,8 +11,8 @@ use super::{Effort, Preset};
 
 pub const PRESET: Preset = Preset {
     name: "fast-inverse-root",
-    source: "crate micromath 2.1.0, whose invsqrt is documented as 5 % off on average; the same trade was discussed for \
-             godotengine/godot (pull request 32015, 2019) and g-truc/glm (issue 1224, 2024)",
+    source: "crate micromath 2.1.0, whose invsqrt is documented as 5 % off on average; the same trade was discussed \
+             for godotengine/godot (pull request 32015, 2019) and g-truc/glm (issue 1224, 2024)",
     question: "Is a vector that a fast reciprocal root has normalised good enough to find the Sun's disc?",
     chart: None,
     measure,
@@ -63,8 +63,8 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
 
 fn verdict(rows: &[PresetRow]) -> String {
     format!(
-        "The vectors are up to {} % too long or too short, more than the Sun's radius, and {} % of the rays into the Sun miss \
-         it; with normalize {} % and {} %.",
+        "The vectors are up to {} % too long or too short, more than the Sun's radius, and {} % of the rays into the \
+         Sun miss it; with normalize {} % and {} %.",
         figure(rows, FAST, LENGTH),
         figure(rows, FAST, MISSED),
         figure(rows, OURS, LENGTH),

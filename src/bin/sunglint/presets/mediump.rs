@@ -85,8 +85,8 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
 fn verdict(rows: &[PresetRow]) -> String {
     let of = |form| figure(rows, form, OFF);
     format!(
-        "By the subtraction {} % of the pixels are off by more than a tenth. The cross product leaves {} %, but {} % where f16 \
-         flushes its small squares; PointGgx leaves {} % there.",
+        "By the subtraction {} % of the pixels are off by more than a tenth. The cross product leaves {} %, but {} % \
+         where f16 flushes its small squares; PointGgx leaves {} % there.",
         of(PLAIN),
         of(CROSS),
         of(CROSS_FLUSHED),

@@ -27,8 +27,9 @@ fn case(alpha: f64) -> Case {
     Case { name: "point", light, alpha }
 }
 
-/// Measures `form`, which makes `D V (n.l)` of normal, viewer, light and the GGX width, on `count` pixels of a highlight
-/// of the width `alpha`: from a hundredth to ten widths off its middle. The truth is of the vectors as they were rounded.
+/// Measures `form`, which makes `D V (n.l)` of normal, viewer, light and the GGX width, on `count` pixels of a
+/// highlight of the width `alpha`: from a hundredth to ten widths off its middle. The truth is of the vectors as they
+/// were rounded.
 pub fn measure<T: Float>(alpha: f64, count: usize, form: impl Fn(Lanes<T>, T) -> f64) -> Found {
     let width = T::nearest(alpha);
     let glossy = Glossy { alpha: width.exact(), f0: 1.0, ratio: 0.0 };

@@ -12,8 +12,8 @@ use super::{Axes, Effort, Preset};
 
 pub const PRESET: Preset = Preset {
     name: "sphere-as-point",
-    source: "KhronosGroup/glTF-Sample-Viewer, issue 547 (2024): no highlight of a light on the smoothest surfaces; o3de's manual \
-             (2022) gives directional lights an angular diameter against that",
+    source: "KhronosGroup/glTF-Sample-Viewer, issue 547 (2024): no highlight of a light on the smoothest surfaces; \
+             o3de's manual (2022) gives directional lights an angular diameter against that",
     question: "What is the highlight of a sphere of ratio 0.005, about the Sun, where it is treated as a point?",
     chart: Some(Axes {
         title: "Difference of the whole highlight from the integral over the disc",
@@ -131,8 +131,8 @@ fn enough(errors: &[(f64, [f64; 3])]) -> f64 {
 
 fn verdict(rows: &[PresetRow]) -> String {
     format!(
-        "On a polish (alpha {POLISH}) a point is {} % too bright and {} % too narrow; DiscGgx is within {} % and ConeGgx within \
-         {} % of the whole highlight. From alpha {} on a point is good to 1 %.",
+        "On a polish (alpha {POLISH}) a point is {} % too bright and {} % too narrow; DiscGgx is within {} % and \
+         ConeGgx within {} % of the whole highlight. From alpha {} on a point is good to 1 %.",
         figure(rows, POINT, PEAK),
         figure(rows, POINT, WIDTH),
         figure(rows, named(METHODS[0]), L1),

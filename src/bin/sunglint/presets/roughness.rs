@@ -12,8 +12,8 @@ use super::{Axes, Effort, Preset};
 
 pub const PRESET: Preset = Preset {
     name: "threejs-roughness4",
-    source: "mrdoob/three.js, pull request 8349 and issues 9501 and 9515 (2016): black highlights on phones; its clamps of \
-             the roughness, 0.04 and later 0.0525",
+    source: "mrdoob/three.js, pull request 8349 and issues 9501 and 9515 (2016): black highlights on phones; its \
+             clamps of the roughness, 0.04 and later 0.0525",
     question: "How bright is a glossy pixel where the roughness goes into GGX as its fourth power, in half floats?",
     chart: Some(Axes {
         title: "Pixels off by a factor of 2 or more, or no number",
@@ -103,7 +103,8 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
 fn verdict(rows: &[PresetRow]) -> String {
     let of = |name, clamp| figure(rows, &form(name, "flushing f16", clamp), LOST);
     format!(
-        "Where f16 flushes, {} % of the pixels are black or no number at a roughness of {}, and still {} % at {}; {} % here, at {}.",
+        "Where f16 flushes, {} % of the pixels are black or no number at a roughness of {}, and still {} % at {}; {} \
+         % here, at {}.",
         of(PLAIN, CLAMPS[0]),
         CLAMPS[0],
         of(PLAIN, CLAMPS[1]),

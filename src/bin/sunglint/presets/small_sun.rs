@@ -121,8 +121,8 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
 
 fn verdict(rows: &[PresetRow]) -> String {
     format!(
-        "By the cosine the Sun has {} angles, {} % of the samples lie outside, and the density is {} % off ({} for a light \
-         0.02 degrees wide); here {} angles, none outside, and {} %.",
+        "By the cosine the Sun has {} angles, {} % of the samples lie outside, and the density is {} % off ({} for a \
+         light 0.02 degrees wide); here {} angles, none outside, and {} %.",
         figure(rows, ACOS, ANGLES),
         figure(rows, ACOS, OUTSIDE),
         figure(rows, SUBTRACTED, &density_of("the Sun")),
