@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_4;
 
 use sunglint::oracle::highlight::{Glossy, Pixel};
-use sunglint::oracle::quadrature::Quadrature;
+use sunglint::oracle::quadrature::{Lobe, Quadrature};
 use sunglint::trial::Shading;
 use sunglint::trial::gloss::F0;
 
@@ -37,6 +37,7 @@ const GOOD: f64 = 1.0;
 const ALLOWED: f64 = 10.0;
 
 const L1: &str = "whole highlight off by (relative L1), per cent";
+const ENERGY: &str = "all light that is sent out, off by, per cent";
 const PEAK: &str = "brightest value off by, per cent";
 const WIDTH: &str = "width at half of the brightest value off by, per cent";
 const ENOUGH: &str = "alpha from which 1 % is kept";
@@ -48,18 +49,22 @@ fn glossy(alpha: f64) -> Glossy {
     Glossy { alpha, f0: F0, ratio: RATIO }
 }
 
-/// Relative L1 in per cent of the point and of [`METHODS`].
-fn errors(alpha: f64, effort: Effort) -> [f64; 3] {
+/// Whole highlights of the point and of [`METHODS`].
+fn lobes(alpha: f64, effort: Effort) -> [Lobe; 3] {
     let glossy = glossy(alpha);
     let values = |pixel: &Pixel| {
         let [directional, cone] = METHODS.map(|method| method.truth(&glossy, pixel));
         [glossy.brdf(pixel), directional, cone]
     };
-    let lobes = match effort {
+    match effort {
         Effort::Quick => Quadrature::<6>::new().lobes(&glossy, INCIDENCE, values),
         Effort::Full => Quadrature::<10>::new().lobes(&glossy, INCIDENCE, values),
-    };
-    lobes.map(|lobe| 100.0 * lobe.relative_l1)
+    }
+}
+
+/// The difference from the truth in per cent.
+fn off(lobe: &Lobe) -> f64 {
+    100.0 * lobe.relative_l1
 }
 
 /// A viewer who sees the light's centre mirrored, turned by `away` in the plane of incidence.
@@ -98,9 +103,13 @@ fn named(method: Shading) -> &'static str {
 
 fn measure(effort: Effort) -> Vec<PresetRow> {
     let alphas: &[f64] = if effort == Effort::Quick { &QUICK_ALPHAS } else { &ALPHAS };
-    let errors: Vec<_> = alphas.iter().map(|&alpha| (alpha, errors(alpha, effort))).collect();
+    let found: Vec<_> = alphas.iter().map(|&alpha| (alpha, lobes(alpha, effort))).collect();
+    let energy = found.first().map_or(f64::NAN, |(_, [point, ..])| 100.0 * (point.energy - 1.0).abs());
     let glossy = glossy(POLISH);
-    let mut rows = vec![PresetRow::new(TRUTH, "f64", "radius of the disc, degrees", RATIO.asin().to_degrees())];
+    let mut rows = vec![
+        PresetRow::new(TRUTH, "f64", "radius of the disc, degrees", libm::asin(RATIO).to_degrees()),
+        PresetRow::new(TRUTH, POINT, ENERGY, energy),
+    ];
     rows.extend(shape(FAILS, POINT, |pixel| glossy.brdf(pixel)));
     for method in METHODS {
         rows.extend(shape(CURE, named(method), |pixel| method.truth(&glossy, pixel)));
@@ -108,21 +117,21 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
     let forms = [POINT, named(METHODS[0]), named(METHODS[1])];
     for (place, form) in forms.into_iter().enumerate() {
         let role = if place == 0 { FAILS } else { CURE };
-        let polish = errors.first().map_or(f64::NAN, |(_, errors)| errors[place]);
+        let polish = found.first().map_or(f64::NAN, |(_, lobes)| off(&lobes[place]));
         rows.push(PresetRow::new(role, form, L1, polish).at_most(ALLOWED));
-        rows.extend(errors.iter().map(|(alpha, errors)| PresetRow::point(form, L1, *alpha, errors[place])));
+        rows.extend(found.iter().map(|(alpha, lobes)| PresetRow::point(form, L1, *alpha, off(&lobes[place]))));
     }
-    rows.push(PresetRow::new(TRUTH, POINT, ENOUGH, enough(&errors)));
+    let points: Vec<_> = found.iter().map(|(alpha, [point, ..])| [*alpha, off(point)]).collect();
+    rows.push(PresetRow::new(TRUTH, POINT, ENOUGH, enough(&points)));
     rows
 }
 
 /// The width from which the point is within [`GOOD`]: on the straight line, in logarithms, between two that were
 /// integrated.
-fn enough(errors: &[(f64, [f64; 3])]) -> f64 {
-    let last_above = errors.iter().rposition(|(_, [point, ..])| *point > GOOD);
-    let Some((&(a, [high, ..]), &(b, [low, ..]))) =
-        last_above.and_then(|place| errors.get(place).zip(errors.get(place + 1)))
-    else {
+fn enough(points: &[[f64; 2]]) -> f64 {
+    let last_above = points.iter().rposition(|[_, off]| *off > GOOD);
+    let around = last_above.and_then(|place| points.get(place).zip(points.get(place + 1)));
+    let Some((&[a, high], &[b, low])) = around else {
         return f64::NAN;
     };
     let share = (high / GOOD).ln() / (high / low).ln();
@@ -131,8 +140,8 @@ fn enough(errors: &[(f64, [f64; 3])]) -> f64 {
 
 fn verdict(rows: &[PresetRow]) -> String {
     format!(
-        "On a polish (alpha {POLISH}) a point is {} % too bright and {} % too narrow; DiscGgx is within {} % and \
-         ConeGgx within {} % of the whole highlight. From alpha {} on a point is good to 1 %.",
+        "On a polish (alpha {POLISH}) a point is {} % too bright and {} % too narrow; DiscGgx::directional is within \
+         {} % and ConeGgx within {} % of the whole highlight. From alpha {} on a point is good to 1 %.",
         figure(rows, POINT, PEAK),
         figure(rows, POINT, WIDTH),
         figure(rows, named(METHODS[0]), L1),
@@ -148,9 +157,10 @@ mod tests {
     /// Where a straight line says that a point is good to one per cent, the integral says so too.
     #[test]
     fn the_width_from_which_a_point_is_enough_is_where_it_should_be() {
-        let all: Vec<_> = ALPHAS.iter().map(|&alpha| (alpha, errors(alpha, Effort::Quick))).collect();
+        let error = |alpha: f64| off(&lobes(alpha, Effort::Quick)[0]);
+        let all = ALPHAS.map(|alpha| [alpha, error(alpha)]);
         let alpha = enough(&all);
-        let [above, below] = [0.9, 1.1].map(|factor| errors(factor * alpha, Effort::Quick)[0]);
+        let [above, below] = [0.9, 1.1].map(|factor| error(factor * alpha));
         assert!(above > GOOD && below < GOOD, "{alpha}: {above} {below}");
         assert!(enough(&[]).is_nan() && enough(&all[..2]).is_nan());
     }

@@ -45,13 +45,10 @@ fn even(count: u32) -> impl Iterator<Item = f32> {
 /// How many of `angles` differ, and how many are more than a millionth of the radius outside the Sun or no number.
 fn spread(angles: impl Iterator<Item = f64>) -> [usize; 2] {
     let limit = SUN.angular_radius() * (1.0 + 1e-6);
-    let mut different = HashSet::new();
-    let outside = angles.filter(|angle| {
-        different.insert(angle.to_bits());
-        !(*angle <= limit)
-    });
-    let outside = outside.count();
-    [different.len(), outside]
+    let angles: Vec<_> = angles.collect();
+    let inside = angles.iter().filter(|&&angle| angle <= limit).count();
+    let different: HashSet<_> = angles.iter().map(|angle| angle.to_bits()).collect();
+    [different.len(), angles.len() - inside]
 }
 
 /// Samples about an axis.
@@ -121,8 +118,8 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
 
 fn verdict(rows: &[PresetRow]) -> String {
     format!(
-        "By the cosine the Sun has {} angles, {} % of the samples lie outside, and the density is {} % off ({} for a \
-         light 0.02 degrees wide); here {} angles, none outside, and {} %.",
+        "By the cosine the Sun has {} angles, {} % of the samples lie outside, and the density is {} % off ({} % for \
+         a light 0.02 degrees wide); here {} angles, none outside, and {} %.",
         figure(rows, ACOS, ANGLES),
         figure(rows, ACOS, OUTSIDE),
         figure(rows, SUBTRACTED, &density_of("the Sun")),

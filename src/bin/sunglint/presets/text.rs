@@ -7,10 +7,10 @@ use super::Preset;
 use super::row::{CURVE, PresetRow};
 use crate::number;
 
-/// A value to two digits, or whole where it is a count.
+/// A value to two digits, or whole from a thousand on.
 pub fn shown(value: f64) -> String {
-    if value.fract() == 0.0 && (1000.0..1e12).contains(&value) {
-        return number::count(value as u64);
+    if (1000.0..1e12).contains(&value) {
+        return number::count(value.round() as u64);
     }
     number::percent(value, 100.0)
 }
@@ -59,7 +59,7 @@ mod tests {
 
     #[test]
     fn values_are_short() {
-        let values = [0.0, 93.24, 183.0, 1_048_576.0, 3e-7, f64::INFINITY, 0.05];
+        let values = [0.0, 93.24, 183.0, 1_048_576.2, 3e-7, f64::INFINITY, 0.05];
         let written = values.map(shown);
         assert_eq!(written, ["0", "93", "183", "1\u{202f}048\u{202f}576", "3.0e-7", "infinite", "0.050"]);
     }
