@@ -1,6 +1,7 @@
 //! Failures that were reported, and their cures.
 
 use super::cells::{self, cell, escape, text};
+use crate::number;
 use crate::presets::{self, Preset, PresetRow, chart, shown};
 use crate::result::Study;
 
@@ -25,8 +26,12 @@ fn article(preset: &Preset, rows: &[PresetRow]) -> Option<String> {
     }
     let figure = preset.chart.as_ref().map(|axes| {
         let svg = chart::against(&rows, axes);
-        let note = format!("What is below {} is drawn on the lower edge.", shown(axes.lowest));
-        cells::figure(&[], &note, &svg)
+        let lowest = number::power_of_ten(axes.lowest.log10().round() as i32);
+        let caption = format!(
+            "{}: {} against {}; what is below {lowest} is drawn on the lower edge",
+            axes.title, axes.measure, axes.input
+        );
+        cells::figure(&[], &caption, &svg)
     });
     Some(format!(
         "<article id=\"preset-{name}\">\n<h3>{question}</h3>\n<p>Reported: {source}.</p>\n\

@@ -7,6 +7,7 @@ use sunglint::{Real, SUN};
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, per_cent, worst};
 use super::{Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "angle-by-acos",
     source: "opentk/opentk, issue 222 (2015), cured by a clamp; godotengine/godot, issue 8111 (2017); yoanlcq/vek, \

@@ -10,6 +10,7 @@ use sunglint::{DistantSphere, Real, SUN, Scalar, normalize, reflect};
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, worst};
 use super::{Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "console-16.16",
     source: "the product of GBA homebrew and of Skia's SkFixedMul_lowprec (src/core/SkScan_DAAPath.cpp, 2016); asked \

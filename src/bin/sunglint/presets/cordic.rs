@@ -7,6 +7,7 @@ use sunglint::{Real, Scalar};
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, worst};
 use super::{Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "cordic-root",
     source: "crate cordic 0.1.5, found by this crate's tests/peers (2026), whose figures stand here: it is not \

@@ -9,6 +9,7 @@ use sunglint::oracle;
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure};
 use super::{Axes, Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "distant-light-angle",
     source: "LuxCoreRender/LuxCore, issue 298 (2020), which gives 1 / (2 pi (1 - cos theta)) with the cosine kept \

@@ -9,6 +9,7 @@ use sunglint::{DistantSphere, Real, SUN, normalize};
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, per_cent, worst};
 use super::{Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "fast-inverse-root",
     source: "crate micromath 2.1.0, whose invsqrt is documented as 5 % off on average; the same trade was discussed \

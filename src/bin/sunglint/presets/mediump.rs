@@ -11,6 +11,7 @@ use super::pixels::{Found, Lanes, by_this_crate, cosines, half, measure as of_pi
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, per_cent};
 use super::{Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "filament-mediump",
     source: "google/filament, \"Physically Based Rendering in Filament\" (2018), on GGX in half floats, and the \

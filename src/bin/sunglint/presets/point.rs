@@ -10,6 +10,7 @@ use sunglint::trial::gloss::F0;
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure};
 use super::{Axes, Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "sphere-as-point",
     source: "KhronosGroup/glTF-Sample-Viewer, issue 547 (2024): no highlight of a light on the smoothest surfaces; \

@@ -10,6 +10,7 @@ use super::pixels::{Found, Lanes, by_this_crate, cosines, half, measure as of_pi
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, per_cent};
 use super::{Axes, Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "threejs-roughness4",
     source: "mrdoob/three.js, pull request 8349 and issues 9501 and 9515 (2016): black highlights on phones; its \

@@ -10,6 +10,7 @@ use sunglint::{DistantLight, DistantSphere, SUN};
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, per_cent};
 use super::{Effort, Preset};
 
+/// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "path-tracer-small-sun",
     source: "mmp/pbrt-v3, pull request 212 (2018): spheres narrower than 1.5 degrees collapse to a point in f32; \
