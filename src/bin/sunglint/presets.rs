@@ -166,18 +166,25 @@ mod tests {
     use super::*;
 
     /// The point of it all: what is said to fail fails, and what is said to cure does not.
-    #[test]
-    fn what_fails_fails_and_what_cures_does_not() {
-        for preset in &ALL {
-            let rows = preset.rows(Effort::Quick);
-            for role in [row::FAILS, row::CURE] {
-                let judged: Vec<_> = rows.iter().filter(|row| row.role == role && row.criterion.is_some()).collect();
-                assert!(!judged.is_empty(), "{}: nothing {role}", preset.name);
-                for row in judged {
-                    assert_eq!(row.fails, role == row::FAILS, "{row:?}");
-                }
+    fn check(preset: &Preset, effort: Effort) {
+        let rows = preset.rows(effort);
+        for role in [row::FAILS, row::CURE] {
+            let judged: Vec<_> = rows.iter().filter(|row| row.role == role && row.criterion.is_some()).collect();
+            assert!(!judged.is_empty(), "{}: nothing {role}", preset.name);
+            for row in judged {
+                assert_eq!(row.fails, role == row::FAILS, "{row:?}");
             }
         }
+    }
+
+    #[test]
+    fn what_fails_fails_and_what_cures_does_not() {
+        ALL.iter().for_each(|preset| check(preset, Effort::Quick));
+    }
+
+    #[test]
+    fn so_it_is_in_a_full_run() {
+        ALL.iter().for_each(|preset| check(preset, Effort::Full));
     }
 
     #[test]

@@ -13,8 +13,8 @@ use super::{Axes, Effort, Preset};
 pub const PRESET: Preset = Preset {
     name: "distant-light-angle",
     source: "LuxCoreRender/LuxCore, issue 298 (2020), which gives 1 / (2 pi (1 - cos theta)) with the cosine kept \
-             below 1; PixarAnimationStudios/OpenUSD, pull request 3182 (2025), on UsdLux DistantLight, whose \
-             sizeFactor is 1 at an angle of 0",
+             below 1, which is left out here; PixarAnimationStudios/OpenUSD, pull request 3182 (2025), on UsdLux \
+             DistantLight, whose sizeFactor is 1 at an angle of 0",
     question: "By what is a distant light multiplied, in f32, to give the same illuminance whatever its angle?",
     chart: Some(Axes {
         title: "Factor of a distant light, f32",
