@@ -8,13 +8,14 @@ enable f16;
 //   x  radius over distance of the light, 1e-4 to 1, the sine of its angular radius: 0.00465 for the Sun from Earth
 //   w  1 less the cosine of the angular radius, x * x / (1 + sqrt(1 - x * x)), computed in f32 outside the shader
 //
-// The Sun's x^2 is 2.2e-5, no normal number of f16 (6.1e-5 and above), and its w may be flushed to 0, which does no
-// harm. So lanes are divided by the largest before they are squared.
+// The Sun's x^2 is 2.2e-5, below f16's normal numbers (from 6.1e-5), which may be flushed to 0. So differences are taken
+// times 64, and divided by their largest lane before they are squared. That w is flushed as well does no harm.
+// Within 4.8e-4 rad, the step of f16, under the Sun; 6.1e-4 with the errors that Vulkan allows.
 fn cap_half(l: vec3h, r: vec3h, x: f16, w: f16) -> vec3h {
     let c = dot(l, r);
     let toward = c >= 0.0;
     // The difference of near directions is exact, so s, the sine of their angle times the tangent, keeps its digits.
-    let e = select(r + l, r - l, toward);
+    let e = 64.0 * select(r + l, r - l, toward);
     var s = e - dot(e, l) * l;
     if !toward {
         // Beside -l the tangent is so short that what the first step has left along l counts.
@@ -28,7 +29,7 @@ fn cap_half(l: vec3h, r: vec3h, x: f16, w: f16) -> vec3h {
     let t = s / largest;
     let size = sqrt(dot(t, t));
     // The sine tells the rim of discs below 44 degrees, the cosine that of larger ones.
-    let inside = select(c >= 1.0 - w, toward && largest * size <= x, w < 0.286);
+    let inside = select(c >= 1.0 - w, toward && largest * size <= 64.0 * x, w < 0.286);
     // The small difference comes first, so that only the last sum rounds at the size of l.
     return select(l + (x / size * t - w * l), r, inside);
 }
