@@ -46,3 +46,19 @@ for (const form of document.querySelectorAll('.choice')) {
   form.reset();
   show(section);
 }
+
+// A button copies what it holds, or the text of the part that it names.
+for (const button of document.querySelectorAll('.copy')) {
+  const { copy, copyFrom } = button.dataset;
+  const text = () => copy ?? document.getElementById(copyFrom).textContent;
+  button.addEventListener('click', async () => {
+    const name = button.textContent;
+    try {
+      await navigator.clipboard.writeText(text());
+      button.textContent = 'Copied';
+    } catch {
+      button.textContent = 'Select it by hand';
+    }
+    setTimeout(() => { button.textContent = name; }, 2000);
+  });
+}
