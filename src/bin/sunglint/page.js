@@ -47,17 +47,18 @@ for (const form of document.querySelectorAll('.choice')) {
   show(section);
 }
 
-// A button copies what it holds, or the text of the part that it names.
+// A button copies what it holds, or the text of the part that it names, which is selected where that is not allowed.
 for (const button of document.querySelectorAll('.copy')) {
   const { copy, copyFrom } = button.dataset;
-  const text = () => copy ?? document.getElementById(copyFrom).textContent;
+  const part = document.getElementById(copyFrom);
   button.addEventListener('click', async () => {
     const name = button.textContent;
     try {
-      await navigator.clipboard.writeText(text());
+      await navigator.clipboard.writeText(copy ?? part.textContent);
       button.textContent = 'Copied';
     } catch {
-      button.textContent = 'Select it by hand';
+      getSelection().selectAllChildren(part ?? button);
+      button.textContent = 'Selected: copy it by hand';
     }
     setTimeout(() => { button.textContent = name; }, 2000);
   });

@@ -72,7 +72,9 @@ impl<'a> Call<'a> {
                 let arguments = arguments.iter().map(|&argument| self.value(argument)).collect();
                 let function = &self.module.functions[*function];
                 let value = Call::of(self.module, function, arguments, self.arithmetic).run();
-                result.into_iter().for_each(|result| self.known[result.index()] = Some(value));
+                if let Some(result) = result {
+                    self.known[result.index()] = Some(value);
+                }
             }
             other => panic!("no snippet has {other:?}"),
         }
@@ -112,7 +114,8 @@ impl<'a> Call<'a> {
             &Expression::Unary { op: UnaryOperator::Negate, expr } => self.value(expr).map(|number| -number),
             &Expression::Unary { op: UnaryOperator::LogicalNot, expr } => Value::Truth(!self.value(expr).truth()),
             &Expression::Binary { op, left, right } => {
-                let operands = [left, right].map(|operand| self.value(operand));
+                let sum = [BinaryOperator::Add, BinaryOperator::Subtract].contains(&op);
+                let operands = [left, right].map(|operand| self.operand(operand, sum));
                 self.binary(op, operands)
             }
             &Expression::Select { condition, accept, reject } => {
@@ -126,6 +129,17 @@ impl<'a> Call<'a> {
             }
             &Expression::As { expr, .. } => self.value(expr),
             _ => self.constant(&self.function.expressions, handle),
+        }
+    }
+
+    /// A value, or in a sum, where products are fused with it, the product as it is before it is rounded.
+    fn operand(&mut self, handle: Handle<Expression>, sum: bool) -> Value {
+        match self.function.expressions[handle] {
+            Expression::Binary { op: BinaryOperator::Multiply, left, right } if sum && self.arithmetic.fuses() => {
+                let [left, right] = [left, right].map(|factor| self.value(factor));
+                left.zip(right, |a, b| a * b)
+            }
+            _ => self.value(handle),
         }
     }
 

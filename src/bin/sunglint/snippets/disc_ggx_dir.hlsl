@@ -3,7 +3,7 @@
 // From sunglint 0.1.0, MIT OR Apache-2.0.
 //
 //   n, v, l  unit normal, unit directions to the camera and to the light's centre
-//   w        1 less the cosine of the light's angular radius, 0 to 1: 1.0814e-5 for the Sun from Earth. In the
+//   w        1 less the cosine of the light's angular radius, 0 to 1: 1.0813e-5 for the Sun from Earth. In the
 //            application, w = x * x / (1 + sqrt(1 - x * x)) of x, radius over distance; 1 - cos would lose its digits
 //   alpha    GGX width, perceptual roughness squared, 5e-4 to 1
 //   f0       reflectance at normal incidence, 0 to 1

@@ -30,6 +30,7 @@ enum Slack {
 pub struct Arithmetic {
     width: Width,
     flush: bool,
+    fused: bool,
     slack: Slack,
 }
 
@@ -40,12 +41,17 @@ const ALLOWED: [f64; 3] = [2.0, 2.5, 4.5];
 impl Arithmetic {
     /// Every operation correctly rounded.
     pub fn exact(width: Width) -> Self {
-        Self { width, flush: false, slack: Slack::None }
+        Self { width, flush: false, fused: false, slack: Slack::None }
     }
 
     /// Subnormals are zero.
     pub fn flushing(self) -> Self {
         Self { flush: true, ..self }
+    }
+
+    /// Sums take products before they are rounded, as compilers may arrange where no source says `precise`.
+    pub fn fusing(self) -> Self {
+        Self { fused: true, ..self }
     }
 
     /// Roots and quotients all too large, or all too small, by what is allowed.
@@ -58,10 +64,14 @@ impl Arithmetic {
         Self { slack: Slack::Random(Cell::new(seed)), ..self }
     }
 
-    /// The three ways of being off.
-    pub fn as_vulkan_allows(width: Width) -> [Self; 3] {
+    /// Four ways of being off.
+    pub fn as_vulkan_allows(width: Width) -> [Self; 4] {
         let exact = || Self::exact(width).flushing();
-        [exact().off(1.0), exact().off(-1.0), exact().off_at_random(1)]
+        [exact().off(1.0), exact().off(-1.0), exact().off_at_random(1), exact().off_at_random(2).fusing()]
+    }
+
+    pub(super) fn fuses(&self) -> bool {
+        self.fused
     }
 
     /// The nearest number of the format. Rounding f64 again changes no sum, product, quotient or root.
@@ -86,8 +96,9 @@ impl Arithmetic {
     }
 
     pub(super) fn dot(&self, a: [f64; 3], b: [f64; 3]) -> f64 {
-        let [x, y, z] = [0, 1, 2].map(|lane| self.rounded(a[lane] * b[lane]));
-        self.rounded(self.rounded(x + y) + z)
+        let [x, y, z] = [0, 1, 2].map(|lane| a[lane] * b[lane]);
+        let [y, z] = [y, z].map(|product| if self.fused { product } else { self.rounded(product) });
+        self.rounded(self.rounded(self.rounded(x) + y) + z)
     }
 
     /// `exact` moved by at most `units` in the last place.
