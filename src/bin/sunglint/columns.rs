@@ -41,8 +41,23 @@ pub fn of(file: &str) -> impl Iterator<Item = &'static Column> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anchors::AnchorRow;
+    use crate::curves::CurveRow;
+    use crate::presets::PresetRow;
+    use crate::result::{Row, Study};
+    use crate::sweep::SweepRow;
     use crate::{output, sample};
     use std::collections::HashSet;
+
+    /// A study with a row at least in every table.
+    fn whole(rows: Vec<Row>) -> Study {
+        let mut study = sample::whole_study(rows);
+        study.anchors.push(AnchorRow::default());
+        study.curves.push(CurveRow::default());
+        study.sweep.push(SweepRow::default());
+        study.presets.push(PresetRow::default());
+        study
+    }
 
     #[test]
     fn every_line_of_the_schema_is_read() {
@@ -70,7 +85,7 @@ mod tests {
     }
 
     /// The CSV files of a study, each with its text.
-    fn tables(study: &crate::result::Study) -> Vec<(&'static str, String)> {
+    fn tables(study: &Study) -> Vec<(&'static str, String)> {
         let folder = tempfile::tempdir().expect("a folder");
         output::write(study, folder.path()).expect("files");
         let text = |name| std::fs::read_to_string(folder.path().join(name)).expect("a file");
@@ -79,9 +94,10 @@ mod tests {
 
     #[test]
     fn every_table_has_the_columns_of_the_schema_even_without_rows() {
-        let whole = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
-        for study in [whole, sample::study(Vec::new())] {
+        let full = whole(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        for (study, rows) in [(full, 1), (sample::study(Vec::new()), 0)] {
             for (name, text) in tables(&study) {
+                assert!(text.lines().count() > rows, "{name}");
                 let listed: Vec<_> = of(name).map(|column| column.column.as_str()).collect();
                 let written: Vec<_> = text.lines().next().unwrap_or_default().split(',').collect();
                 assert_eq!(written, listed, "{name}");
@@ -103,7 +119,7 @@ mod tests {
     fn cells_are_of_the_kind_of_their_column() {
         let mut failed = sample::row("epic", "f16", 0.5, f64::NAN);
         failed.failure = Some("NaN".to_owned());
-        let study = sample::whole_study(vec![failed, sample::row("cap", "I2F14", 1.0, f64::INFINITY)]);
+        let study = whole(vec![failed, sample::row("cap", "I2F14", 1.0, f64::INFINITY)]);
         let mut cells = 0;
         for (name, text) in tables(&study) {
             for record in csv::Reader::from_reader(text.as_bytes()).into_records() {

@@ -11,7 +11,7 @@ use crate::columns::{self, Column};
 pub struct Measurement {
     /// What it is about, such as `direction`.
     pub subject: &'static str,
-    /// Method, building block or quantity.
+    /// Method, building block or quantity; of anchors what they are of.
     pub method: String,
     /// Name of the number format.
     pub format: String,
@@ -97,7 +97,7 @@ impl Row<'_> {
         let worst = ["error_max", "bound_max"].contains(&column.column.as_str());
         Some(Measurement {
             subject: self.subject,
-            method: self.cell(&["method", "kernel", "quantity"]),
+            method: self.cell(&["method", "kernel", "quantity", "subject"]),
             format: self.cell(&["format"]),
             by: by.unwrap_or_else(|| OURS.to_owned()),
             light: self.cell(&["light", "case"]),
@@ -105,13 +105,23 @@ impl Row<'_> {
             alpha: self.cell(&["alpha"]),
             incidence: self.cell(&["incidence"]),
             measure: &column.column,
-            unit: if column.unit == "as unit says" { self.cell(&["unit"]) } else { column.unit.clone() },
+            unit: self.unit(column),
             value,
             bound,
             samples,
             seed: self.seed,
             repro: if worst { self.cell(&["repro"]) } else { String::new() },
         })
+    }
+
+    /// The unit of a figure, where the schema leaves it to the row.
+    fn unit(&self, column: &Column) -> String {
+        match (column.unit.as_str(), self.cell(&["subject"]).as_str()) {
+            ("as unit says", _) => self.cell(&["unit"]),
+            ("rad, of pixels relative", "direction") => "rad".to_owned(),
+            ("rad, of pixels relative", _) => "relative".to_owned(),
+            (unit, _) => unit.to_owned(),
+        }
     }
 
     /// What a figure rests on and how many inputs that took; nothing for what is no error.
@@ -156,6 +166,10 @@ mod tests {
         let table = "quantity,format,unit,error_max\nflux,f16,ULP,0.5\n";
         let rows = of("quantities.csv", table.as_bytes(), 1).expect("a table");
         assert_eq!([rows[0].unit.as_str(), rows[0].method.as_str()], ["ULP", "flux"]);
+        let table = "subject,light,format,rounded_max\ndirection,Sun,f16,1e-4\npixel,Sun,f16,1e-3\n";
+        let rows = of("anchors.csv", table.as_bytes(), 1).expect("a table");
+        let told: Vec<_> = rows.iter().map(|row| [row.method.as_str(), &row.unit]).collect();
+        assert_eq!(told, [["direction", "rad"], ["pixel", "relative"]]);
         assert!(of("chip.csv", table.as_bytes(), 1).expect("nothing").is_empty());
     }
 }
