@@ -38,6 +38,7 @@ mod lobes;
 mod marks;
 mod mean;
 mod measure;
+mod measurements;
 mod number;
 mod options;
 mod output;

@@ -9,9 +9,35 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use tempfile::{Builder, NamedTempFile};
 
+use crate::columns::Column;
 use crate::interrupt::Writing;
+use crate::measurements::{self, Measurement};
 use crate::result::Study;
 use crate::{chart, chip_chart, columns, page, snippets};
+
+/// Names of the tables that are written as CSV.
+pub const TABLES: [&str; 12] = [
+    "results.csv",
+    "pixels.csv",
+    "lobes.csv",
+    "kernels.csv",
+    "quantities.csv",
+    "chip.csv",
+    "anchors.csv",
+    "curves.csv",
+    "sweep.csv",
+    "presets.csv",
+    "measurements.csv",
+    "columns.csv",
+];
+
+/// The JSON file: the study, and what its fields mean.
+#[derive(Serialize)]
+struct Everything<'a> {
+    #[serde(flatten)]
+    study: &'a Study,
+    schema: &'a [Column],
+}
 
 /// A file or folder that could not be written, and why.
 #[derive(Debug)]
@@ -75,24 +101,20 @@ fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
 
 /// The same, where a failure may leave some of them.
 fn write_into(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
-    let json_path = out.join("results.json");
-    let json = serde_json::to_vec_pretty(study).map_err(|cause| failure(&json_path, cause))?;
-    table(&out.join("results.csv"), &study.rows)?;
-    table(&out.join("pixels.csv"), &study.pixels)?;
-    table(&out.join("lobes.csv"), &study.lobes)?;
-    table(&out.join("kernels.csv"), &study.kernels)?;
-    table(&out.join("chip.csv"), &study.chip)?;
-    table(&out.join("anchors.csv"), &study.anchors)?;
-    table(&out.join("curves.csv"), &study.curves)?;
-    table(&out.join("sweep.csv"), &study.sweep)?;
-    table(&out.join("presets.csv"), &study.presets)?;
-    table(&out.join("columns.csv"), columns::ALL)?;
+    for name in TABLES {
+        let path = out.join(name);
+        let text = text(name, study).map_err(|cause| failure(&path, cause))?;
+        replace(&path, &text)?;
+    }
     for picture in &study.pictures {
         beneath(out, "pictures", &format!("{}.png", picture.name), &picture.png)?;
     }
     for snippet in snippets::ALL {
         beneath(out, "snippets", snippet.file, snippet.source.as_bytes())?;
     }
+    let json_path = out.join("results.json");
+    let everything = Everything { study, schema: columns::all() };
+    let json = serde_json::to_vec_pretty(&everything).map_err(|cause| failure(&json_path, cause))?;
     replace(&json_path, &json)?;
     replace(&out.join("chart.svg"), chart::both_errors(study).as_bytes())?;
     replace(&out.join("chips.svg"), chip_chart::of_cores(study).as_bytes())?;
@@ -113,15 +135,49 @@ fn beneath(out: &Path, name: &str, file: &str, content: &[u8]) -> Result<(), Wri
     replace(&folder.join(file), content)
 }
 
-/// Writes `rows` as CSV.
-fn table<R: Serialize>(path: &Path, rows: &[R]) -> Result<(), WriteError> {
-    let text = csv(rows).map_err(|cause| failure(path, cause))?;
-    replace(path, &text)
+type Text = Result<Vec<u8>, Box<dyn Error + Send + Sync>>;
+
+/// The text of the table of this name.
+fn text(name: &str, study: &Study) -> Text {
+    match name {
+        "results.csv" => csv(name, &study.rows),
+        "pixels.csv" => csv(name, &study.pixels),
+        "lobes.csv" => csv(name, &study.lobes),
+        "kernels.csv" => csv(name, &study.kernels),
+        "quantities.csv" => csv(name, &study.quantities),
+        "chip.csv" => csv(name, &study.chip),
+        "anchors.csv" => csv(name, &study.anchors),
+        "curves.csv" => csv(name, &study.curves),
+        "sweep.csv" => csv(name, &study.sweep),
+        "presets.csv" => csv(name, &study.presets),
+        "measurements.csv" => csv(name, &figures(study)?),
+        _ => csv(name, columns::all()),
+    }
 }
 
-/// One line for each row, under a line of names.
-fn csv<R: Serialize>(rows: &[R]) -> Result<Vec<u8>, Box<dyn Error + Send + Sync>> {
+/// Every figure of the tables and of the rivals.
+fn figures(study: &Study) -> Result<Vec<Measurement>, Box<dyn Error + Send + Sync>> {
+    let rivals = &study.rivals;
+    let mut tables = Vec::new();
+    for (name, _) in measurements::SUBJECTS {
+        tables.push((name, text(name, study)?));
+    }
+    tables.push(("results.csv", csv("results.csv", &rivals.directions)?));
+    tables.push(("pixels.csv", csv("pixels.csv", &rivals.pixels)?));
+    tables.push(("kernels.csv", csv("kernels.csv", &rivals.kernels)?));
+    let mut figures = Vec::new();
+    for (name, table) in tables {
+        figures.extend(measurements::of(name, &table, study.seed)?);
+    }
+    Ok(figures)
+}
+
+/// One line for each row, under a line of names, which is there without rows too.
+fn csv<R: Serialize>(name: &str, rows: &[R]) -> Text {
     let mut writer = csv::Writer::from_writer(Vec::new());
+    if rows.is_empty() {
+        writer.write_record(columns::of(name).map(|column| &column.column))?;
+    }
     for row in rows {
         writer.serialize(row)?;
     }
@@ -157,6 +213,7 @@ fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
 mod tests {
     use super::*;
     use crate::{frontier, sample};
+    use std::collections::BTreeSet;
 
     fn study() -> Study {
         let mut failed = sample::row("epic", "f16", 0.5, f64::NAN);
@@ -178,29 +235,25 @@ mod tests {
         fs::read_to_string(folder.path().join(name)).expect("a file")
     }
 
-    const FILES: [&str; 15] = [
-        "results.csv",
-        "pixels.csv",
-        "lobes.csv",
-        "kernels.csv",
-        "chip.csv",
-        "anchors.csv",
-        "curves.csv",
-        "sweep.csv",
-        "presets.csv",
-        "columns.csv",
-        "results.json",
-        "chart.svg",
-        "chips.svg",
-        "pixels.svg",
-        "report.html",
-    ];
+    const OTHERS: [&str; 5] = ["results.json", "chart.svg", "chips.svg", "pixels.svg", "report.html"];
+
+    fn files() -> impl Iterator<Item = &'static str> {
+        TABLES.into_iter().chain(OTHERS)
+    }
 
     #[test]
     fn a_csv_has_a_line_for_each_row_and_keeps_nan() {
         let study = study();
-        let counts = [study.rows.len(), study.pixels.len(), study.lobes.len(), study.kernels.len(), study.chip.len()];
-        for (name, count) in FILES.into_iter().zip(counts) {
+        let counts = [
+            ("results.csv", study.rows.len()),
+            ("pixels.csv", study.pixels.len()),
+            ("lobes.csv", study.lobes.len()),
+            ("kernels.csv", study.kernels.len()),
+            ("quantities.csv", study.quantities.len()),
+            ("chip.csv", study.chip.len()),
+            ("columns.csv", columns::all().len()),
+        ];
+        for (name, count) in counts {
             assert_eq!(written(name).lines().count(), 1 + count, "{name}");
         }
         let text = written("results.csv");
@@ -283,7 +336,7 @@ mod tests {
 
     #[test]
     fn the_same_study_gives_the_same_files() {
-        for name in FILES {
+        for name in files() {
             assert_eq!(written(name), written(name), "{name}");
         }
     }
@@ -293,7 +346,14 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         prepare(folder.path()).expect("a folder to write to");
         write(&study(), folder.path()).expect("files");
-        assert_eq!(fs::read_dir(folder.path()).expect("entries").count(), FILES.len());
+        let entries = |folder: PathBuf| {
+            let names = fs::read_dir(folder).expect("entries").map(|entry| entry.expect("an entry").file_name());
+            names.map(|name| name.into_string().expect("a name")).collect::<BTreeSet<_>>()
+        };
+        let there = files().chain(["snippets"]).map(str::to_owned).collect();
+        assert_eq!(entries(folder.path().to_owned()), there);
+        let snippets = snippets::ALL.iter().map(|snippet| snippet.file.to_owned()).collect();
+        assert_eq!(entries(folder.path().join("snippets")), snippets);
     }
 
     #[test]

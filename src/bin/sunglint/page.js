@@ -46,3 +46,20 @@ for (const form of document.querySelectorAll('.choice')) {
   form.reset();
   show(section);
 }
+
+// A button copies what it holds, or the text of the part that it names, which is selected where that is not allowed.
+for (const button of document.querySelectorAll('.copy')) {
+  const { copy, copyFrom } = button.dataset;
+  const part = document.getElementById(copyFrom);
+  button.addEventListener('click', async () => {
+    const name = button.textContent;
+    try {
+      await navigator.clipboard.writeText(copy ?? part.textContent);
+      button.textContent = 'Copied';
+    } catch {
+      getSelection().selectAllChildren(part ?? button);
+      button.textContent = 'Selected: copy it by hand';
+    }
+    setTimeout(() => { button.textContent = name; }, 2000);
+  });
+}
