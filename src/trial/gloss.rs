@@ -98,9 +98,15 @@ fn diffuse(case: &Case, pixel: &Pixel, albedo: f64) -> f64 {
 }
 
 /// The exact value of a whole pixel by the method's own formula.
-fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
+pub fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
     let albedo = T::Scalar::nearest(ALBEDO).exact();
     diffuse(case, pixel, albedo) + PI * shading.truth(&case.glossy::<T>(), pixel)
+}
+
+/// The true value of a whole pixel on the surface as it is in the format: the BRDF integrated over the disc.
+pub fn integrated<T: Real, const N: usize>(case: &Case, pixel: &Pixel, rule: &Quadrature<N>) -> f64 {
+    let albedo = T::Scalar::nearest(ALBEDO).exact();
+    diffuse(case, pixel, albedo) + PI * rule.highlight(&case.glossy::<T>(), pixel)
 }
 
 /// Relative arithmetic error of whole pixels: computed against the exact value of the method's formula at the rounded
@@ -164,7 +170,7 @@ pub fn models<const N: usize>(
 ) -> [Found<9>; Shading::ALL.len()] {
     let mut found = [Found::new(); Shading::ALL.len()];
     for pixel in pixels {
-        let whole = diffuse(case, &pixel, ALBEDO) + PI * rule.highlight(&case.glossy::<f64>(), &pixel);
+        let whole = integrated::<f64, N>(case, &pixel, rule);
         for (found, shading) in found.iter_mut().zip(Shading::ALL) {
             found.add((truth::<f64>(shading, case, &pixel) / whole - 1.0).abs(), inputs(&pixel));
         }
