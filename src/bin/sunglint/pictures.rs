@@ -128,7 +128,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let path = folder.join(format!("{}.png", picture.name));
         output::replace(&path, &picture.png)?;
         let shown = path.display();
-        progress.suspend(|| crate::print(&if options.quiet { shown.to_string() } else { format!("{shown}\n  {}", picture.caption) }));
+        progress.suspend(|| {
+            crate::print(&if options.quiet { shown.to_string() } else { format!("{shown}\n  {}", picture.caption) })
+        });
         Ok(())
     };
     for album in albums(plan, &progress) {
@@ -163,7 +165,8 @@ fn failing(options: &Options) -> Vec<&'static Failing> {
 
 /// One light after the other.
 fn albums(plan: Plan<'_>, progress: &ProgressBar) -> impl Iterator<Item = Album> {
-    let directions = lights(plan.options).into_iter().filter_map(move |light| album::directions(&light, plan, progress));
+    let directions =
+        lights(plan.options).into_iter().filter_map(move |light| album::directions(&light, plan, progress));
     let pixels = cases(plan.options).into_iter().filter_map(move |case| album::pixels(&case, plan, progress));
     directions.chain(pixels)
 }
@@ -205,4 +208,74 @@ fn failures(options: &Options, side: u32, progress: &ProgressBar) -> Vec<Picture
         pictures.push(sheet("failures".to_owned(), "failure", title.to_owned(), &raster));
     }
     pictures
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sunglint::trial::{Format, Method, Shading};
+
+    const SMALL: u32 = 16;
+
+    fn drawn(options: &Options) -> Vec<Picture> {
+        let progress = ProgressBar::hidden();
+        let plan = Plan { options, side: SMALL, named: false };
+        let mut pictures: Vec<_> = albums(plan, &progress).flat_map(|album| all_of(album, plan)).collect();
+        pictures.extend(failures(options, SMALL, &progress));
+        assert_eq!(progress.position(), steps(options) as u64);
+        pictures
+    }
+
+    fn quick() -> Options {
+        Options::parse_from(["sunglint", "--quick"])
+    }
+
+    fn render(size: u32, folder: PathBuf) -> Result<(), Failure> {
+        let options = Options { quiet: true, light: Some("area light 0.05".to_owned()), ..quick() };
+        run(&Arguments { options, size, to: Some(folder) })
+    }
+
+    #[test]
+    fn every_method_in_every_format_has_a_picture_and_its_error() {
+        let pictures = drawn(&quick());
+        let names = Method::ALL.map(Method::name).into_iter().chain(Shading::ALL.map(Shading::name));
+        for (method, format) in names.flat_map(|method| Format::ALL.map(move |format| (method, format.name()))) {
+            for kind in [Kind::Lit, Kind::Error] {
+                let here =
+                    |picture: &&Picture| picture.method == method && picture.format == format && picture.kind == kind;
+                assert_eq!(pictures.iter().filter(here).count(), 1, "{method} in {format}");
+            }
+        }
+        let sheets = pictures.iter().filter(|picture| picture.kind == Kind::Sheet);
+        assert_eq!(sheets.map(|sheet| &sheet.name[..]).collect::<Vec<_>>(), ["directions", "pixels", "failures"]);
+        let mut names: Vec<_> = pictures.iter().map(|picture| &picture.name).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), pictures.len(), "every file has a name of its own");
+    }
+
+    #[test]
+    fn pictures_repeat() {
+        assert!(drawn(&quick()) == drawn(&quick()));
+    }
+
+    #[test]
+    fn sizes_out_of_range_are_refused() {
+        for size in [0, 7, 4097, u32::MAX] {
+            let failure = render(size, PathBuf::from("/nowhere")).expect_err("no picture");
+            assert_eq!(failure.code(), 2);
+            assert_eq!(failure.to_string(), format!("--size is {size} pixels, allowed is 8 to 4096"));
+        }
+    }
+
+    #[test]
+    fn files_are_written_and_a_light_that_is_none_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        render(8, folder.path().join("new")).expect("pictures");
+        let files = std::fs::read_dir(folder.path().join("new")).expect("files").count();
+        assert_eq!(files, 2 + 2 * Method::ALL.len() * Format::ALL.len());
+        let options = Options { light: Some("no such".to_owned()), ..quick() };
+        let failure = run(&Arguments { options, size: 8, to: None }).expect_err("no light");
+        assert_eq!(failure.code(), 2);
+    }
 }

@@ -35,7 +35,8 @@ fn heading(sheet: &Picture) -> [&'static str; 2] {
 
 /// The section; empty where nothing was drawn.
 pub fn all(study: &Study) -> String {
-    let sheets: String = study.pictures.iter().filter(|picture| picture.kind == Kind::Sheet).map(|sheet| figure(study, sheet)).collect();
+    let sheets: String =
+        study.pictures.iter().filter(|picture| picture.kind == Kind::Sheet).map(|sheet| figure(study, sheet)).collect();
     if sheets.is_empty() { sheets } else { format!("{INTRODUCTION}\n{sheets}") }
 }
 
@@ -52,7 +53,10 @@ fn figure(study: &Study, sheet: &Picture) -> String {
 
 /// What is to be seen of every failure.
 fn sentences(study: &Study) -> String {
-    let first = study.pictures.iter().filter(|picture| picture.name.starts_with("failure-") && picture.name.ends_with("-error"));
+    let first = study
+        .pictures
+        .iter()
+        .filter(|picture| picture.name.starts_with("failure-") && picture.name.ends_with("-error"));
     let of_failing = first.filter(|picture| !picture.name.ends_with("cured-error"));
     let line = |picture: &Picture| {
         let said = picture.caption.split_once(". ").map_or("", |(_, said)| said);

@@ -89,8 +89,7 @@ fn formats(options: &Options) -> impl Iterator<Item = Format> {
 pub fn directions(light: &Light, plan: Plan, progress: &ProgressBar) -> Option<Album> {
     let theta = light.light.angular_radius();
     let methods = Method::ALL.into_iter().filter(|method| plan.options.wants_method(method.name()));
-    let items: Vec<_> =
-        methods.flat_map(|method| formats(plan.options).map(move |format| (method, format))).collect();
+    let items: Vec<_> = methods.flat_map(|method| formats(plan.options).map(move |format| (method, format))).collect();
     if items.is_empty() || theta == 0.0 {
         return None;
     }
@@ -127,8 +126,7 @@ impl Visitor for Mirror<'_> {
 /// Lit pixels of `case`; nothing where no method is asked for.
 pub fn pixels(case: &Case, plan: Plan, progress: &ProgressBar) -> Option<Album> {
     let methods = Shading::ALL.into_iter().filter(|method| plan.options.wants_method(method.name()));
-    let items: Vec<_> =
-        methods.flat_map(|method| formats(plan.options).map(move |format| (method, format))).collect();
+    let items: Vec<_> = methods.flat_map(|method| formats(plan.options).map(move |format| (method, format))).collect();
     if items.is_empty() {
         return None;
     }

@@ -121,7 +121,8 @@ mod tests {
     fn errors_grow_evenly_brighter() {
         let of_step = |step: u32| lightness(SCALE.colour(10f64.powf(-6.0 + (f64::from(step) + 0.5) / STEPS)));
         let steps: Vec<_> = (1..SCALE.steps()).map(|step| of_step(step) - of_step(step - 1)).collect();
-        let [least, most] = [f64::min, f64::max].map(|of: fn(f64, f64) -> f64| steps.iter().copied().reduce(of).unwrap());
+        let [least, most] =
+            [f64::min, f64::max].map(|of: fn(f64, f64) -> f64| steps.iter().copied().reduce(of).unwrap());
         assert!(least > 1.0 && most < 2.0 * least, "{least} to {most}");
         assert!(lightness(SCALE.colour(1e-9)) > 8.0, "more than exact");
     }

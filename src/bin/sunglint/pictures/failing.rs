@@ -13,6 +13,7 @@ use super::colour::Scale;
 use super::figures::{Figures, per_cent};
 use super::flushing::Flushing;
 use super::lit;
+use super::patch::Patch;
 use super::raster::Raster;
 use super::sphere::Sphere;
 use super::{Kind, Picture};
@@ -55,7 +56,7 @@ const fn form(format: &'static str, what: &'static str) -> Form {
 const FLUSHING: &str = "flushing f16";
 
 /// All of them, directions first.
-pub const ALL: [Failing; 9] = [
+pub const ALL: [Failing; 10] = [
     Failing {
         name: "flushed-sun",
         subject: "direction",
@@ -93,7 +94,7 @@ pub const ALL: [Failing; 9] = [
         title: "149.6 million kilometres do not fit f16",
         forms: [form("f16", "epic, with the distance"), form("f16", "factored, without it")],
         scale: PER_CENT,
-        sense: no_number,
+        sense: no_direction,
         draw: |side| [mirror::<f16>(Method::Epic, side), mirror::<f16>(Method::Factored, side)],
     },
     Failing {
@@ -103,29 +104,30 @@ pub const ALL: [Failing; 9] = [
         title: "GGX by (n.h)^2 (alpha^2 - 1) + 1 in f16, alpha 0.01",
         forms: [form("f16", "1 - (n.h)^2 by subtraction"), form("f16", "from n - h")],
         scale: RELATIVE,
-        sense: doubled,
+        sense: lost,
+        draw: |side| karis::<f16>(&GLOSS, side, forms::subtracted(&GLOSS)),
+    },
+    Failing {
+        name: "subtraction-flushing",
+        subject: "pixel",
+        method: "karis",
+        title: "The same where f16 flushes, alpha 0.005, from farther off",
+        forms: [form(FLUSHING, "1 - (n.h)^2 by subtraction"), form(FLUSHING, "from n - h")],
+        scale: RELATIVE,
+        sense: lost,
         draw: |side| {
-            let case = Case { name: "Sun, alpha 0.01", light: SUN, alpha: 0.01 };
-            [
-                exact::<f16>(&case, side, forms::subtracted(&case)),
-                exact::<f16>(&case, side, lit::code(Shading::Karis, &case)),
-            ]
+            beside::<Flushing<true>>(&FLUSHED, (&Patch::about_the_highlight(0.29), side), forms::subtracted(&FLUSHED))
         },
     },
     Failing {
         name: "subtraction-f32",
         subject: "pixel",
         method: "karis",
-        title: "The same in f32, alpha 0.001",
+        title: "The same in f32, alpha 0.001, from near by",
         forms: [form("f32", "1 - (n.h)^2 by subtraction"), form("f32", "from n - h")],
         scale: RELATIVE,
-        sense: worst,
-        draw: |side| {
-            [
-                exact::<f32>(&POLISH, side, forms::subtracted(&POLISH)),
-                exact::<f32>(&POLISH, side, lit::code(Shading::Karis, &POLISH)),
-            ]
-        },
+        sense: lost,
+        draw: |side| karis::<f32>(&POLISH, side, forms::subtracted(&POLISH)),
     },
     Failing {
         name: "karis-squares",
@@ -134,13 +136,8 @@ pub const ALL: [Failing; 9] = [
         title: "Karis's factor of squares is 0/0 where f16 flushes, alpha 0.001",
         forms: [form(FLUSHING, "alpha^2 / alpha'^2"), form(FLUSHING, "1 / alpha' twice, to the peak")],
         scale: RELATIVE,
-        sense: no_number,
-        draw: |side| {
-            [
-                exact::<Flushing<true>>(&POLISH, side, forms::squares_divided(&POLISH)),
-                exact::<Flushing<true>>(&POLISH, side, lit::code(Shading::Karis, &POLISH)),
-            ]
-        },
+        sense: lost,
+        draw: |side| karis::<Flushing<true>>(&POLISH, side, forms::squares_divided(&POLISH)),
     },
     Failing {
         name: "dim-light",
@@ -150,7 +147,7 @@ pub const ALL: [Failing; 9] = [
         forms: [form("I2F14", "exposure after the levels"), form("I2F14", "exposure in the illuminance")],
         scale: RELATIVE,
         sense: shades,
-        draw: |side| [forms::brightened(&CHALK, side), exact::<I2F14>(&CHALK, side, lit::code(Shading::ConeGgx, &CHALK))],
+        draw: |side| [forms::brightened(&CHALK, side), forms::in_the_light(&CHALK, side)],
     },
     Failing {
         name: "coarse-normals",
@@ -159,13 +156,19 @@ pub const ALL: [Failing; 9] = [
         title: "Normals in f16 on a polish, alpha 0.001",
         forms: [form("f16", "cone_ggx"), form("I2F30", "cone_ggx")],
         scale: RELATIVE,
-        sense: visible,
+        sense: lost,
         draw: |side| [forms::unrounded::<f16>(&POLISH, side), forms::unrounded::<I2F30>(&POLISH, side)],
     },
 ];
 
 /// The Sun on a polish.
 const POLISH: Case = CASES[0];
+
+/// The Sun on what is a little less polished.
+const GLOSS: Case = Case { name: "Sun, alpha 0.01", light: SUN, alpha: 0.01 };
+
+/// The Sun on a roughness whose square is below the least normal f16.
+const FLUSHED: Case = Case { name: "Sun, alpha 0.005", light: SUN, alpha: 0.005 };
 
 /// The Sun on chalk.
 const CHALK: Case = CASES[2];
@@ -178,7 +181,8 @@ impl Failing {
     pub fn is_wanted(&self, options: &Options) -> bool {
         let wanted = |format: Format| self.forms.iter().any(|form| form.format == format.name());
         let of_hardware = self.forms.iter().any(|form| form.format == FLUSHING) && options.wants_format(Format::F16);
-        let format = of_hardware || Format::ALL.into_iter().any(|format| options.wants_format(format) && wanted(format));
+        let format =
+            of_hardware || Format::ALL.into_iter().any(|format| options.wants_format(format) && wanted(format));
         options.wants_method(self.method) && format
     }
 
@@ -222,38 +226,50 @@ fn mirror<T: Real>(method: Method, side: u32) -> Sphere {
     Sphere::mirror(&light, side, |l, r| method.direction(l, r, &constants))
 }
 
-/// Against the exact value of Karis's formula or of the cone's at the rounded vectors, so that the form alone is to
-/// blame.
-fn exact<T: Real>(case: &Case, side: u32, code: impl Fn([[T; 3]; 3]) -> f64) -> Sphere {
-    let method = if case == &CHALK { Shading::ConeGgx } else { Shading::Karis };
-    forms::against::<T>(method, case, side, code)
+/// A form of Karis's highlight in `patch`, and this crate's.
+fn beside<T: Real>(case: &Case, seen: (&Patch, u32), form: impl Fn([[T; 3]; 3]) -> f64) -> [Sphere; 2] {
+    let ours = lit::code::<T>(Shading::Karis, case);
+    [forms::against((Shading::Karis, case), seen, form), forms::against((Shading::Karis, case), seen, ours)]
+}
+
+/// The same from near by.
+fn karis<T: Real>(case: &Case, side: u32, form: impl Fn([[T; 3]; 3]) -> f64) -> [Sphere; 2] {
+    beside(case, (&lit::patch(case), side), form).map(Sphere::exposed)
 }
 
 fn width(figures: &Figures) -> String {
-    format!("{:.2} times as wide as the Sun", figures.width)
+    let width = match figures.lit {
+        lit if lit > 0.6 => "wider than the picture".to_owned(),
+        _ => format!("{:.2} times as wide as the Sun", figures.width),
+    };
+    format!("{width}, errors up to {} % of its radius", number::percent(figures.worst, 100.0))
 }
 
-fn no_number(figures: &Figures) -> String {
+fn no_direction(figures: &Figures) -> String {
     match figures.nan {
-        0.0 => format!("no NaN, error rms {}", number::scientific(figures.rms)),
+        0.0 => width(figures),
         share => format!("{} % of the pixels are NaN", per_cent(share)),
     }
 }
 
-fn doubled(figures: &Figures) -> String {
-    format!("{} % infinite, {} % off by a factor of two", per_cent(figures.infinite), per_cent(figures.doubled))
-}
-
-fn worst(figures: &Figures) -> String {
-    format!("worst error {}", number::scientific(figures.worst))
+/// What is no number, and what is far off.
+fn lost(figures: &Figures) -> String {
+    let share = |share: f64, what: &str| (share > 0.0).then(|| format!("{} % {what}", per_cent(share)));
+    let shares = [
+        share(figures.nan, "NaN"),
+        share(figures.infinite, "infinite"),
+        share(figures.doubled, "off by a factor of two"),
+        share(figures.visible - figures.doubled, "off by a tenth"),
+    ];
+    let shares: Vec<_> = shares.into_iter().flatten().collect();
+    match shares.is_empty() {
+        true => format!("no pixel is off by a tenth, worst error {} %", per_cent(figures.worst)),
+        false => format!("of the pixels {}", shares.join(", ")),
+    }
 }
 
 fn shades(figures: &Figures) -> String {
     format!("{} levels of grey", figures.shades)
-}
-
-fn visible(figures: &Figures) -> String {
-    format!("{} % of the pixels are off by a tenth", per_cent(figures.visible))
 }
 
 #[cfg(test)]
@@ -288,6 +304,9 @@ mod tests {
         let [fails, cured] = drawn("subtraction-f16");
         println!("{fails:?}\n{cured:?}");
         assert!(fails.infinite + fails.doubled > 0.3 && cured.infinite + cured.doubled == 0.0);
+        let [fails, cured] = drawn("subtraction-flushing");
+        println!("{fails:?}\n{cured:?}");
+        assert!(fails.nan > 0.2 && fails.visible > 0.1 && cured.nan == 0.0);
         let [fails, cured] = drawn("subtraction-f32");
         println!("{fails:?}\n{cured:?}");
         assert!(fails.worst > 0.2 && cured.worst < 3e-4);
@@ -300,6 +319,6 @@ mod tests {
         assert!(fails.shades < 40 && cured.shades > 1000);
         let [fails, cured] = drawn("coarse-normals");
         println!("{fails:?}\n{cured:?}");
-        assert!(fails.visible > 0.2 && cured.visible == 0.0);
+        assert!(fails.visible > 0.15 && cured.visible == 0.0);
     }
 }

@@ -23,6 +23,8 @@ pub struct Figures {
     /// How wide the lit area is, over how wide it is in truth: the root of the areas' ratio, of what is at least half as
     /// bright as white.
     pub width: f64,
+    /// Share of the pixels that are at least half as bright as white.
+    pub lit: f64,
     /// Different levels of brightness.
     pub shades: usize,
 }
@@ -31,12 +33,11 @@ impl Figures {
     /// Those of `sphere`.
     pub fn of(sphere: &Sphere) -> Self {
         let cells: Vec<_> = sphere.cells().collect();
-        let share = |test: &dyn Fn(&Cell) -> bool| cells.iter().filter(|cell| test(cell)).count() as f64 / cells.len() as f64;
+        let share =
+            |test: &dyn Fn(&Cell) -> bool| cells.iter().filter(|cell| test(cell)).count() as f64 / cells.len() as f64;
         let finite = |cell: &Cell| cell.level.is_finite();
         let errors = || cells.iter().filter(|cell| cell.error.is_finite()).map(|cell| f64::from(cell.error));
-        let off = |cell: &Cell, factor: f32| {
-            cell.level >= factor * cell.truth || cell.level * factor <= cell.truth
-        };
+        let off = |cell: &Cell, factor: f32| cell.level >= factor * cell.truth || cell.level * factor <= cell.truth;
         let shades: BTreeSet<_> = cells.iter().map(|cell| cell.level.to_bits()).collect();
         Self {
             worst: errors().reduce(f64::max).unwrap_or(f64::NAN),
@@ -46,6 +47,7 @@ impl Figures {
             doubled: share(&|cell| finite(cell) && cell.truth > 0.0 && off(cell, 2.0)),
             visible: share(&|cell| finite(cell) && cell.truth > 0.0 && off(cell, 1.1)),
             width: (share(&|cell| cell.level >= 0.5) / share(&|cell| cell.truth >= 0.5)).sqrt(),
+            lit: share(&|cell| cell.level >= 0.5),
             shades: shades.len(),
         }
     }
@@ -69,7 +71,8 @@ impl Figures {
         if self.nan == 1.0 {
             return ["all NaN".to_owned(), String::new()];
         }
-        let lost = |share: f64, what: &str| if share > 0.0 { format!("{} % {what}", per_cent(share)) } else { String::new() };
+        let lost =
+            |share: f64, what: &str| if share > 0.0 { format!("{} % {what}", per_cent(share)) } else { String::new() };
         let rms = format!("rms {}{unit}", number::scientific(self.rms));
         let no_number = if self.nan > 0.0 { lost(self.nan, "NaN") } else { lost(self.infinite, "inf") };
         let second = if no_number.is_empty() { rms } else { no_number };

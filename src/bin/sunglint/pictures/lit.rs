@@ -14,7 +14,7 @@ use super::sphere::{self, Sphere};
 use crate::workers;
 
 /// Widths of a highlight that a patch shows to each side of its centre.
-const WIDTHS: f64 = 5.0;
+const WIDTHS: f64 = 3.0;
 
 /// What of a sphere is drawn for `case`.
 pub fn patch(case: &Case) -> Patch {
@@ -50,7 +50,7 @@ impl Visitor for Row<'_> {
     type Output = (Vec<f64>, f64);
 
     fn visit<T: Real>(self) -> (Vec<f64>, f64) {
-        if self.coarse { self.integrals::<T, 6, 12>() } else { self.integrals::<T, 10, 20>() }
+        if self.coarse { self.integrals::<T, 4, 8>() } else { self.integrals::<T, 8, 16>() }
     }
 }
 

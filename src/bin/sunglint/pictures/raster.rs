@@ -29,12 +29,6 @@ impl Raster {
         Self { size: [side; 2], pixels }
     }
 
-    /// The colour of a pixel.
-    #[cfg(test)]
-    pub fn at(&self, x: u32, y: u32) -> Colour {
-        self.pixels[(y * self.size[0] + x) as usize]
-    }
-
     /// Whether all pixels but paper pass.
     #[cfg(test)]
     pub fn all(&self, test: impl Fn(Colour) -> bool) -> bool {

@@ -1,9 +1,9 @@
 //! A sphere as it was computed, as it is, and how far apart the two are.
 
+use sunglint::Real;
 use sunglint::oracle;
 use sunglint::oracle::highlight::Pixel;
 use sunglint::trial::Light;
-use sunglint::Real;
 
 use super::colour::{self, Colour, INK, PAPER, Scale};
 use super::patch::{Patch, mirrored};
@@ -11,7 +11,7 @@ use super::raster::Raster;
 use crate::pixels::ball_light;
 
 /// Angular radii of the light that a patch shows to each side of its centre.
-pub const RADII: f64 = 4.0;
+pub const RADII: f64 = 3.0;
 
 /// How far off the mirror ray, in radii of the light, the light of a mirror falls to a quarter.
 const FALL: f64 = 0.25;
@@ -34,6 +34,8 @@ pub struct Sphere {
     cells: Vec<Option<Cell>>,
     /// How many pixels the radius of the light takes.
     bar: Option<u32>,
+    /// The level that is shown as white.
+    white: f32,
 }
 
 impl Sphere {
@@ -41,7 +43,7 @@ impl Sphere {
     fn new(patch: &Patch, side: u32, theta: f64, mut cell: impl FnMut(usize, [f64; 3]) -> Cell) -> Self {
         let normals = (0..side).flat_map(|y| patch.row(y, side));
         let cells = normals.enumerate().map(|(index, n)| n.map(|n| cell(index, n))).collect();
-        Self { side, cells, bar: patch.pixels(theta, side) }
+        Self { side, cells, bar: patch.pixels(theta, side), white: 1.0 }
     }
 
     /// A mirror: a pixel is white where `code` answers with the mirror ray itself, and darker the farther off the answer
@@ -81,14 +83,20 @@ impl Sphere {
         })
     }
 
+    /// The same with the brightest level of the truth as white, as a highlight of a polish would be white all over.
+    pub fn exposed(self) -> Self {
+        let white = self.cells().map(|cell| cell.truth).fold(0.0, f32::max);
+        Self { white, ..self }
+    }
+
     /// The picture as it was computed.
     pub fn computed(&self) -> Raster {
-        self.raster(|cell| colour::of_level(cell.level.into()))
+        self.raster(|cell| colour::of_level((cell.level / self.white).into()))
     }
 
     /// The picture as it is.
     pub fn truth(&self) -> Raster {
-        self.raster(|cell| colour::of_level(cell.truth.into()))
+        self.raster(|cell| colour::of_level((cell.truth / self.white).into()))
     }
 
     /// Where the error sits.
@@ -158,8 +166,8 @@ mod tests {
         let sphere = Sphere::mirror::<f64>(&light, 400, |l, r| cap(l, r, &Constants::of(&light.light).sphere));
         let white = sphere.cells().filter(|cell| cell.level == 1.0).count() as f64;
         let radius = (white / std::f64::consts::PI).sqrt();
-        assert_eq!(sphere.bar, Some(50));
-        // An ellipse, a little flattened by the slant of the sphere.
-        assert!((radius / 50.0 - 0.974).abs() < 0.01, "{radius}");
+        assert_eq!(sphere.bar, Some(67));
+        // An ellipse, as much flattened by the slant of the sphere as it is stretched across.
+        assert!((radius / (200.0 / RADII) - 1.0).abs() < 0.01, "{radius}");
     }
 }

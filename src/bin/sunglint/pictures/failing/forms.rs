@@ -7,18 +7,23 @@ use sunglint::highlight::{Highlight, PointGgx, schlick, smith};
 use sunglint::material::Surface;
 use sunglint::oracle::highlight::Pixel;
 use sunglint::scene::{Channel, Lamp, Scene};
-use sunglint::trial::gloss::{self, ALBEDO, Case, F0};
 use sunglint::trial::Shading;
+use sunglint::trial::gloss::{self, ALBEDO, Case, F0};
 use sunglint::{DistantSphere, Float, Real, Scalar, cap, normalize, reflect, relative_illuminance};
 
 use crate::pictures::lit;
+use crate::pictures::patch::Patch;
 use crate::pictures::sphere::Sphere;
 use crate::pixels::ball_light;
 
-/// `code` against the exact value of `method`'s formula at the rounded vectors.
-pub fn against<T: Real>(method: Shading, case: &Case, side: u32, code: impl Fn([[T; 3]; 3]) -> f64) -> Sphere {
+/// `code` against the exact value of `method`'s formula at the rounded vectors, so that the form alone is to blame.
+pub fn against<T: Real>(
+    (method, case): (Shading, &Case),
+    (patch, side): (&Patch, u32),
+    code: impl Fn([[T; 3]; 3]) -> f64,
+) -> Sphere {
     let theta = case.light.angular_radius();
-    Sphere::lit((&lit::patch(case), side, theta), code, |_, pixel| gloss::truth::<T>(method, case, pixel))
+    Sphere::lit((patch, side, theta), code, |_, pixel| gloss::truth::<T>(method, case, pixel))
 }
 
 /// The cone in `T` against its exact value at the vectors before they were rounded.
@@ -30,7 +35,7 @@ pub fn unrounded<T: Real>(case: &Case, side: u32) -> Sphere {
         let n = normals[index].unwrap_or(rounded.n);
         gloss::truth::<f64>(Shading::ConeGgx, case, &Pixel { n, v, l: ball_light() })
     };
-    Sphere::lit::<T>((&patch, side, theta), lit::code(Shading::ConeGgx, case), truth)
+    Sphere::lit::<T>((&patch, side, theta), lit::code(Shading::ConeGgx, case), truth).exposed()
 }
 
 /// A thousandth of the light in I2F14, whose levels are multiplied by a thousand when they are shown.
@@ -45,10 +50,17 @@ pub fn brightened(case: &Case, side: u32) -> Sphere {
         let mut scene = Scene::<I2F14, 1>::new(&surface);
         scene.push(&lamp).ok().map(|()| scene)
     });
-    against::<I2F14>(Shading::ConeGgx, case, side, |[n, v, _]| {
+    let code = |[n, v, _]: [[I2F14; 3]; 3]| {
         let level = scene.as_ref().map(|scene| scene.shade_channel(n, v, Channel::Green));
         level.map_or(f64::NAN, |level| DIM * I2F14::of_level(level).exact())
-    })
+    };
+    against((Shading::ConeGgx, case), (&lit::patch(case), side), code).exposed()
+}
+
+/// The whole of the light in I2F14.
+pub fn in_the_light(case: &Case, side: u32) -> Sphere {
+    let code = lit::code::<I2F14>(Shading::ConeGgx, case);
+    against((Shading::ConeGgx, case), (&lit::patch(case), side), code).exposed()
 }
 
 /// A pixel of a surface that reflects `highlight`.
