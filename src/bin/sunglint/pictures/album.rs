@@ -150,8 +150,8 @@ pub fn pixels(case: &Case, plan: Plan, progress: &ProgressBar) -> Option<Album> 
     let shown = drawn.iter().find(|(format, ..)| *format == Format::F64).or(drawn.first())?.2.clone();
     let floor = truths.iter().map(|(_, truth)| truth.floor).fold(0.0, f64::max);
     let note = format!(
-        "Truth: the BRDF integrated over the disc at the vectors as rounded into the format. Twice the nodes move it by \
-         {} at most: what is below that is the truth's own error.",
+        "Truth: the BRDF integrated over the disc at the vectors as rounded into the format. Twice the nodes move it \
+         by {} at most: what is below that is the truth's own error.",
         number::scientific(floor)
     );
     let caption = format!("{scene}, as it is: the BRDF integrated over the disc.");

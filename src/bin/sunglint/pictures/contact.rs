@@ -60,8 +60,9 @@ pub fn of_failures(drawn: &[(&Failing, [Sphere; 2])], side: u32, title: &str) ->
     let pitch = [side + GAP, side + 2 * LINE];
     let width = 2 * MARGIN + 5 * pitch[0] + WORDS * LETTER;
     let notes = wrapped(
-        "Of directions a pixel is white where the answer is the mirror ray itself, which it is on the light's disc. Bars \
-         are the light's radius. Of surfaces white is the brightest pixel of the truth, which is the exact value of the same formula; of the one seen from farther off it is a white surface that faces the Sun.",
+        "Of directions a pixel is white where the answer is the mirror ray itself, which it is on the light's disc. \
+         Bars are the light's radius. Of surfaces white is the brightest pixel of the truth, which is the exact value \
+         of the same formula; of the one seen from farther off it is a white surface that faces the Sun.",
         (width - 2 * MARGIN) / LETTER,
     );
     let head = MARGIN + 4 * LINE;

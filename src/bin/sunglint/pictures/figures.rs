@@ -20,8 +20,8 @@ pub struct Figures {
     pub doubled: f64,
     /// Share of the pixels that are finite, but a tenth brighter or darker than they are, or more.
     pub visible: f64,
-    /// How wide the lit area is, over how wide it is in truth: the root of the areas' ratio, of what is at least half as
-    /// bright as white.
+    /// How wide the lit area is, over how wide it is in truth: the root of the areas' ratio, of what is at least half
+    /// as bright as white.
     pub width: f64,
     /// Share of the pixels that are at least half as bright as white.
     pub lit: f64,

@@ -64,7 +64,7 @@ impl Row<'_> {
         let level = |(x, pixel): (usize, Option<Pixel>)| {
             let Some(pixel) = pixel else { return f64::NAN };
             let level = gloss::integrated::<T, N>(self.case, &pixel, &rule);
-            if (x + self.y as usize * 7) % APART == 0 && level > 0.0 {
+            if (x + 7 * self.y as usize).is_multiple_of(APART) && level > 0.0 {
                 floor = floor.max((gloss::integrated::<T, M>(self.case, &pixel, &finer) / level - 1.0).abs());
             }
             level

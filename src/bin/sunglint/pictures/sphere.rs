@@ -46,8 +46,8 @@ impl Sphere {
         Self { side, cells, bar: patch.pixels(theta, side), white: 1.0 }
     }
 
-    /// A mirror: a pixel is white where `code` answers with the mirror ray itself, and darker the farther off the answer
-    /// is. Errors are in per cent of the angular radius.
+    /// A mirror: a pixel is white where `code` answers with the mirror ray itself, and darker the farther off the
+    /// answer is. Errors are in per cent of the angular radius.
     pub fn mirror<T: Real>(light: &Light, side: u32, code: impl Fn([T; 3], [T; 3]) -> [T; 3]) -> Self {
         let theta = light.light.angular_radius();
         let l = ball_light().map(T::from_f64);
