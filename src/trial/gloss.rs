@@ -108,9 +108,15 @@ fn diffuse(case: &Case, pixel: &Pixel, albedo: f64) -> f64 {
 }
 
 /// The exact value of a whole pixel by the method's own formula.
-fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
+pub fn truth<T: Real>(shading: Shading, case: &Case, pixel: &Pixel) -> f64 {
     let albedo = T::Scalar::nearest(ALBEDO).exact();
     diffuse(case, pixel, albedo) + PI * shading.truth(&case.glossy::<T>(), pixel)
+}
+
+/// The true value of a whole pixel on the surface as it is in the format: the BRDF integrated over the disc.
+pub fn integrated<T: Real, const N: usize>(case: &Case, pixel: &Pixel, rule: &Quadrature<N>) -> f64 {
+    let albedo = T::Scalar::nearest(ALBEDO).exact();
+    diffuse(case, pixel, albedo) + PI * rule.highlight(&case.glossy::<T>(), pixel)
 }
 
 /// Relative arithmetic error of whole pixels: computed against the exact value of the method's formula at the rounded
@@ -173,8 +179,7 @@ pub fn input<T: Real>(shading: Shading, case: &Case, pixels: impl Iterator<Item 
 /// reflectances as the format holds them.
 pub fn integral<T: Real, const N: usize>(case: &Case, pixel: &Pixel, rule: &Quadrature<N>) -> f64 {
     let (_, exact) = rounded::<T>(pixel);
-    let albedo = T::Scalar::nearest(ALBEDO).exact();
-    diffuse(case, &exact, albedo) + PI * rule.highlight(&case.glossy::<T>(), &exact)
+    integrated::<T, N>(case, &exact, rule)
 }
 
 /// Relative error of the methods' formulas themselves, in the order of [`Shading::ALL`]: their exact values against the
