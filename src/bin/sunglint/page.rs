@@ -14,7 +14,7 @@ mod quantities;
 mod sweep;
 mod take_away;
 
-pub use cells::{escape, slug};
+pub use cells::escape;
 
 use crate::number;
 use crate::options::DEFAULT_SEED;

@@ -87,8 +87,13 @@ pub fn whole_study(rows: Vec<Row>) -> Study {
 pub fn methods_study() -> Study {
     let failed = Row { failure: Some("NaN".to_owned()), ..row("epic", "f16", 0.5, f64::NAN) };
     let rows = vec![failed, row("cap", "f64", 1.0, 1e-16), row("cap", "f16", 30.0, 1e-3)];
-    let form =
-        |form: &str| PresetRow { preset: "tiny-sun", role: "cure", form: form.to_owned(), ..PresetRow::default() };
+    let form = |form: &str| PresetRow {
+        preset: "tiny-sun",
+        role: "cure",
+        form: form.to_owned(),
+        measure: "lost".to_owned(),
+        ..PresetRow::default()
+    };
     Study {
         curves: [curves("cap", "angle"), curves("cap", "ratio"), curves("epic", "angle")].concat(),
         presets: vec![form("cap, f16"), form("disc_ggx, f32")],

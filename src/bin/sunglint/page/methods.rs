@@ -6,6 +6,7 @@ mod curves;
 mod failures;
 mod measurement;
 mod place;
+mod precision;
 mod promised;
 mod subject;
 mod thumbnails;
@@ -61,9 +62,10 @@ fn article(study: &Study, subject: Subject) -> String {
     } else {
         [
             place::paragraph(study, subject, &measured),
+            if let Subject::Block(kernel) = subject { precision::paragraph(kernel, &measured) } else { String::new() },
             costs::table(study, subject, &measured),
             curves::charts(study, subject),
-            worst::table(subject, &measured),
+            worst::table(study, subject, &measured),
             thumbnails::of(study, name),
         ]
         .concat()

@@ -13,11 +13,11 @@ const COLUMNS: [&str; 8] = [
     "format",
     "time",
     "latency",
-    "M0+ instructions",
-    "M3 instructions",
-    "M4F instructions",
-    "code + tables on M0+, bytes",
-    "stack on M0+, bytes",
+    "instructions, M0+",
+    "instructions, M3",
+    "instructions, M4F",
+    "bytes, M0+",
+    "stack, M0+",
 ];
 
 /// The table, with a line on what stands in it.
@@ -49,7 +49,8 @@ fn introduction(subject: Subject, measured: &[Measurement]) -> String {
     };
     format!(
         "Time and latency of {what} in calls of f32 <code>factored</code>{over}; the latency is that of a call which waits for the \
-         answer of the one before. Instructions are medians: outside / inside the light’s disc where that matters. {typical}"
+         answer of the one before. Instructions are medians: outside / inside the light’s disc where that matters; bytes are code + tables, and the stack is in \
+         bytes too. {typical}"
     )
 }
 

@@ -11,8 +11,7 @@ use crate::result::Study;
 pub fn part(study: &Study, subject: Subject, measured: &[Measurement]) -> String {
     let about = subject.about();
     let mut lines = of_rows(measured);
-    let names = [subject.name(), about.function.trim_start_matches("sunglint::")];
-    lines.extend(study.presets.iter().filter(|row| names.iter().any(|name| is_named(&row.form, name))).map(reported));
+    lines.extend(of_reports(study, &names(subject)));
     if !measured.is_empty() && measured.iter().all(|one| one.failure.is_none()) {
         lines.insert(0, "Nothing failed in this run.".to_owned());
     }
@@ -39,32 +38,49 @@ fn of_rows(measured: &[Measurement]) -> Vec<String> {
     ways.iter().map(line).collect()
 }
 
-/// Whether `form` begins with the whole name `name`, or has it as a path of the crate.
-fn is_named(form: &str, name: &str) -> bool {
-    let ends = |rest: &str| !rest.starts_with(|next: char| next.is_alphanumeric() || "_/:".contains(next));
-    let starts = form.strip_prefix(name).is_some_and(ends);
-    let within = form.match_indices(name).any(|(at, _)| ends(&form[at + name.len()..]));
-    starts || name.contains("::") && within
+/// What a report may call it: its name, its path in the crate, and the type that it belongs to.
+fn names(subject: Subject) -> Vec<&'static str> {
+    let path = subject.about().function.trim_start_matches("sunglint::");
+    let types = path.split("::").filter(|part| part.starts_with(char::is_uppercase));
+    [subject.name(), path].into_iter().chain(types).collect()
 }
 
-fn reported(row: &PresetRow) -> String {
-    let role = match row.role {
-        "cure" => "as the cure of",
-        "truth" => "as the truth of",
-        _ => "in",
+/// A line for each form of a reported failure that begins with one of `names`, with all that was measured of it.
+fn of_reports(study: &Study, names: &[&str]) -> Vec<String> {
+    let named = |row: &&PresetRow| {
+        ROLES.iter().any(|(role, _)| *role == row.role) && names.iter().any(|name| is_named(&row.form, name))
     };
-    format!(
-        "{role} the reported failure <a href=\"#presets\">{}</a>: {}, {} {}",
-        escape(row.preset),
-        escape(&row.form),
-        escape(&row.measure),
-        number::scientific(row.value)
-    )
+    let mut forms: Vec<Vec<&PresetRow>> = Vec::new();
+    for row in study.presets.iter().filter(named) {
+        match forms.iter_mut().find(|form| (form[0].preset, &form[0].form) == (row.preset, &row.form)) {
+            Some(form) => form.push(row),
+            None => forms.push(vec![row]),
+        }
+    }
+    forms.iter().map(|form| reported(form)).collect()
+}
+
+/// Whether `form` begins with the whole of `name`.
+fn is_named(form: &str, name: &str) -> bool {
+    let goes_on = |rest: &str| rest.starts_with(|next: char| next.is_alphanumeric() || "_/:".contains(next));
+    form.strip_prefix(name).is_some_and(|rest| !goes_on(rest))
+}
+
+/// The roles of forms, and how a line begins that has one. Points of a preset's chart have another role.
+const ROLES: [(&str, &str); 3] = [("fails", "Fails in"), ("cure", "The cure in"), ("truth", "The truth in")];
+
+fn reported(rows: &[&PresetRow]) -> String {
+    let Some(first) = rows.first() else { return String::new() };
+    let role = ROLES.iter().find(|(role, _)| *role == first.role).map_or("", |(_, said)| said);
+    let figure = |row: &&PresetRow| format!("{} {}", escape(&row.measure), number::scientific(row.value));
+    let figures: Vec<_> = rows.iter().map(figure).collect();
+    let (preset, form) = (escape(first.preset), escape(&first.form));
+    format!("{role} the reported failure <a href=\"#presets\">{preset}</a>: {form}; {}.", figures.join(", "))
 }
 
 #[cfg(test)]
 mod tests {
-    use sunglint::trial::Method;
+    use sunglint::trial::{Method, Shading};
 
     use super::*;
     use crate::sample;
@@ -83,13 +99,23 @@ mod tests {
     }
 
     #[test]
-    fn a_report_is_found_by_the_whole_name_of_a_form() {
-        assert!(is_named("disc, f16", "disc") && is_named("1 / PointGgx::karis in f16", "PointGgx::karis"));
+    fn a_report_is_found_by_the_whole_name_at_the_head_of_a_form() {
+        assert!(is_named("disc, f16", "disc") && is_named("PointGgx::karis in f16", "PointGgx::karis"));
         assert!(!is_named("disc_ggx, f16", "disc") && !is_named("the disc, f16", "disc"));
         assert!(!is_named("PointGgx::karis_third", "PointGgx::karis") && !is_named("karis/3, f16", "karis"));
-        let study = sample::methods_study();
+        let names = names(Subject::Highlight(Shading::Karis));
+        assert_eq!(names, ["karis", "highlight::PointGgx::karis", "PointGgx"]);
+    }
+
+    #[test]
+    fn the_figures_of_a_form_stand_together_and_points_of_charts_do_not() {
+        let mut study = sample::methods_study();
+        let row = study.presets[0].clone();
+        study.presets.extend([PresetRow { value: 2.0, ..row.clone() }, PresetRow { role: "curve", value: 3.0, ..row }]);
         let cap = Subject::Direction(Method::Cap);
         let html = part(&study, cap, &cap.measurements(&study));
-        assert!(html.contains("as the cure of the reported failure <a href=\"#presets\">tiny-sun</a>"), "{html}");
+        let said =
+            "<li>The cure in the reported failure <a href=\"#presets\">tiny-sun</a>: cap, f16; lost 0, lost 2.0.</li>";
+        assert!(html.contains(said) && !html.contains("3.0"), "{html}");
     }
 }

@@ -28,8 +28,6 @@ pub struct Measurement<'a> {
     pub rms: f64,
     /// Mean of the signed error, where it has a sign.
     pub bias: Option<f64>,
-    /// Inputs that were tried.
-    pub samples: u64,
     /// What `bound_max` rests on.
     pub bound: Bound,
     /// The worst error known.
@@ -99,7 +97,6 @@ fn of_direction(row: &Row) -> Measurement<'_> {
         p99: row.error_p99,
         rms: row.error_rms,
         bias: Some(row.error_bias),
-        samples: row.samples,
         bound: row.bound,
         bound_max: row.bound_max,
         bound_samples: row.bound_samples,
@@ -122,7 +119,6 @@ fn of_pixel(row: &PixelRow) -> Measurement<'_> {
         p99: row.error_p99,
         rms: row.error_rms,
         bias: Some(row.error_bias),
-        samples: row.samples,
         bound: row.bound,
         bound_max: row.bound_max,
         bound_samples: row.bound_samples,
@@ -145,7 +141,6 @@ fn of_block(row: &KernelRow) -> Measurement<'_> {
         p99: row.error_p99,
         rms: row.error_rms,
         bias: row.error_bias,
-        samples: row.samples,
         bound: row.bound,
         bound_max: row.bound_max,
         bound_samples: row.bound_samples,

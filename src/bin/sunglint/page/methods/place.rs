@@ -21,7 +21,7 @@ pub fn paragraph(study: &Study, subject: Subject, measured: &[Measurement]) -> S
     let here: Vec<_> = measured.iter().filter(|one| one.under == first).collect();
     let sentences = [cheapest(study, &here), most_exact(&here), enough(&here), rank(study, subject, first)];
     let sentences: Vec<_> = sentences.into_iter().filter(|sentence| !sentence.is_empty()).collect();
-    let under = if first.is_empty() { String::new() } else { format!("Under {}. ", escape(first)) };
+    let under = if first.is_empty() { String::new() } else { format!("<strong>{}.</strong> ", escape(first)) };
     format!("<p class=\"place\">{under}{}</p>\n", sentences.join(" "))
 }
 
@@ -137,7 +137,8 @@ mod tests {
     fn the_cheapest_and_the_most_exact_are_found() {
         let html = said(Subject::Direction(Method::Cap));
         assert!(
-            html.contains("Under Sun from Earth.") && html.contains("Cheapest of what works: f64 here (1.00 calls"),
+            html.contains("<strong>Sun from Earth.</strong> ")
+                && html.contains("Cheapest of what works: f64 here (1.00 calls"),
             "{html}"
         );
         assert!(html.contains("Most exact by the worst error: f64 (1.0e-16 rad), then f16 (1.0e-3 rad)"), "{html}");

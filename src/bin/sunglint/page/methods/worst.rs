@@ -5,10 +5,10 @@ use super::promised;
 use super::subject::Subject;
 use crate::number;
 use crate::page::cells::{cell, count, escape, scientific, slug, sortable, text};
-use crate::result::Bound;
+use crate::result::{Bound, Study};
 
 /// The table of all formats under all lights.
-pub fn table(subject: Subject, measured: &[Measurement]) -> String {
+pub fn table(study: &Study, subject: Subject, measured: &[Measurement]) -> String {
     let under = subject.conditions();
     let shown: &[&str] = if under.is_empty() { &[] } else { &[under] };
     let unit = measured.first().map_or("", |one| one.unit);
@@ -27,12 +27,12 @@ pub fn table(subject: Subject, measured: &[Measurement]) -> String {
         "computes it again",
     ];
     let columns = [shown, &rest].concat();
-    let lines: String = measured.iter().map(|one| line(subject, one)).collect();
+    let lines: String = measured.iter().map(|one| line(subject, one, study.seed)).collect();
     let table = sortable(&format!("worst-{}", slug(subject.name())), &columns, &lines);
     format!("<h5>Worst inputs</h5>\n{table}\n")
 }
 
-fn line(subject: Subject, one: &Measurement) -> String {
+fn line(subject: Subject, one: &Measurement, seed: u64) -> String {
     let class = if one.failure.is_some() { " class=\"fails\"" } else { "" };
     let cells = [
         if subject.conditions().is_empty() { String::new() } else { text(one.under) },
@@ -43,7 +43,7 @@ fn line(subject: Subject, one: &Measurement) -> String {
         one.bias.map_or_else(|| cell(f64::NAN, "–"), signed),
         promised::of(subject, one).map_or_else(|| cell(f64::NAN, "–"), scientific),
         scientific(one.bound_max),
-        text(known(one.bound)),
+        text(&known(one.bound, seed)),
         count(one.bound_samples),
         input(one),
         again(one.repro),
@@ -52,11 +52,11 @@ fn line(subject: Subject, one: &Measurement) -> String {
 }
 
 /// What the worst known error rests on, in words.
-fn known(bound: Bound) -> &'static str {
+fn known(bound: Bound, seed: u64) -> String {
     match bound {
-        Bound::Exhaustive => "every input tried",
-        Bound::Searched => "searched, climbing from the worst",
-        Bound::Sampled => "sampled, from this run’s seed",
+        Bound::Exhaustive => "every input tried".to_owned(),
+        Bound::Searched => "searched, climbing from the worst".to_owned(),
+        Bound::Sampled => format!("sampled, seed {seed}"),
     }
 }
 
@@ -72,7 +72,7 @@ fn input(one: &Measurement) -> String {
         _ => format!("<i>{name}</i> <code>{}</code>", escape(bits)),
     };
     let parts: Vec<_> = one.worst.iter().filter(|(_, bits)| !bits.is_empty()).map(named).collect();
-    format!("<td class=\"input\">{}</td>", parts.join("<br>"))
+    format!("<td class=\"input\">{}</td>", parts.join(" &nbsp; "))
 }
 
 fn again(command: &str) -> String {
@@ -101,12 +101,12 @@ mod tests {
         measured.truncate(1);
         (measured[0].bound, measured[0].bound_samples, measured[0].bias) = (Bound::Searched, 1_000_000, Some(2e-9));
         measured[0].repro = "sunglint repro cap --l '1 2'";
-        let html = table(cap, &measured);
+        let html = table(&study, cap, &measured);
         assert!(html.contains("searched") && html.contains("1\u{202f}000\u{202f}000") && html.contains(">+2.0e-9<"));
         assert!(html.contains("data-copy=\"sunglint repro cap --l &#39;1 2&#39;\""), "{html}");
         assert!(html.contains("2.5e-16"), "what the documentation promises");
         assert!(html.contains("<i>l</i> <code>0x3f800000"));
         measured[0].repro = "";
-        assert!(!table(cap, &measured).contains("<button class=\"copy\""));
+        assert!(!table(&study, cap, &measured).contains("<button class=\"copy\""));
     }
 }
