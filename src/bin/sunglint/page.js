@@ -46,20 +46,3 @@ for (const form of document.querySelectorAll('.choice')) {
   form.reset();
   show(section);
 }
-
-// Opens what the address leads into, and goes there.
-function openTarget() {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-  if (!target) return;
-  const folded = target.querySelector(':scope > details');
-  if (folded) folded.open = true;
-  for (let outer = target.closest('details'); outer; outer = outer.parentElement.closest('details')) outer.open = true;
-  target.scrollIntoView();
-}
-window.addEventListener('hashchange', openTarget);
-// A second press on the same link changes no hash.
-document.addEventListener('click', event => {
-  const link = event.target.closest('a');
-  if (link && link.getAttribute('href') === location.hash) openTarget();
-});
-openTarget();

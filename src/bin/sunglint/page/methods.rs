@@ -15,6 +15,7 @@ mod worst;
 use self::about::About;
 use self::subject::{Group, Subject};
 use super::cells::{escape, slug};
+use crate::number;
 use crate::result::Study;
 
 const INTRODUCTION: &str = "<p>One page for each method and each building block; the marks of the charts lead here. Open one for \
@@ -30,7 +31,9 @@ pub fn all(study: &Study) -> String {
     }
     let contents: String = Group::ALL.into_iter().map(links).collect();
     let groups: String = Group::ALL.into_iter().map(|group| articles(study, group)).collect();
-    format!("{INTRODUCTION}\n<nav class=\"methods\" aria-label=\"Methods\">\n{contents}</nav>\n{groups}")
+    format!(
+        "{INTRODUCTION}\n<div class=\"methods\" role=\"navigation\" aria-label=\"Methods\">\n{contents}</div>\n{groups}"
+    )
 }
 
 /// A line of links to the pages of a group.
@@ -88,6 +91,11 @@ fn facts(about: &About) -> String {
          <div><dt>Good for</dt><dd>{}</dd></div><div><dt>In the crate</dt><dd><code>{}</code></dd></div></dl>\n",
         about.takes, about.good_for, about.function
     )
+}
+
+/// A number within a sentence, which no line may break.
+fn figure(value: f64) -> String {
+    format!("<span class=\"number\">{}</span>", number::scientific(value))
 }
 
 #[cfg(test)]

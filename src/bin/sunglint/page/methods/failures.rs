@@ -1,8 +1,8 @@
 //! What fails: in this run, in reports that name the method, and by its nature.
 
+use super::figure as shown;
 use super::measurement::Measurement;
 use super::subject::Subject;
-use crate::number;
 use crate::page::cells::escape;
 use crate::presets::PresetRow;
 use crate::result::Study;
@@ -72,7 +72,7 @@ const ROLES: [(&str, &str); 3] = [("fails", "Fails in"), ("cure", "The cure in")
 fn reported(rows: &[&PresetRow]) -> String {
     let Some(first) = rows.first() else { return String::new() };
     let role = ROLES.iter().find(|(role, _)| *role == first.role).map_or("", |(_, said)| said);
-    let figure = |row: &&PresetRow| format!("{} {}", escape(&row.measure), number::scientific(row.value));
+    let figure = |row: &&PresetRow| format!("{} {}", escape(&row.measure), shown(row.value));
     let figures: Vec<_> = rows.iter().map(figure).collect();
     let (preset, form) = (escape(first.preset), escape(&first.form));
     format!("{role} the reported failure <a href=\"#presets\">{preset}</a>: {form}; {}.", figures.join(", "))
@@ -115,7 +115,7 @@ mod tests {
         let cap = Subject::Direction(Method::Cap);
         let html = part(&study, cap, &cap.measurements(&study));
         let said =
-            "<li>The cure in the reported failure <a href=\"#presets\">tiny-sun</a>: cap, f16; lost 0, lost 2.0.</li>";
+            "<li>The cure in the reported failure <a href=\"#presets\">tiny-sun</a>: cap, f16; lost {}, lost {}.</li>";
         assert!(html.contains(said) && !html.contains("3.0"), "{html}");
     }
 }

@@ -24,8 +24,6 @@ pub struct Measurement<'a> {
     pub max: f64,
     /// 99th percentile of the error.
     pub p99: f64,
-    /// Root mean square of the error.
-    pub rms: f64,
     /// Mean of the signed error, where it has a sign.
     pub bias: Option<f64>,
     /// What `bound_max` rests on.
@@ -95,7 +93,6 @@ fn of_direction(row: &Row) -> Measurement<'_> {
         unit: "rad",
         max: row.error_max,
         p99: row.error_p99,
-        rms: row.error_rms,
         bias: Some(row.error_bias),
         bound: row.bound,
         bound_max: row.bound_max,
@@ -117,7 +114,6 @@ fn of_pixel(row: &PixelRow) -> Measurement<'_> {
         unit: "relative",
         max: row.error_max,
         p99: row.error_p99,
-        rms: row.error_rms,
         bias: Some(row.error_bias),
         bound: row.bound,
         bound_max: row.bound_max,
@@ -139,7 +135,6 @@ fn of_block(row: &KernelRow) -> Measurement<'_> {
         unit: &row.unit,
         max: row.error_max,
         p99: row.error_p99,
-        rms: row.error_rms,
         bias: row.error_bias,
         bound: row.bound,
         bound_max: row.bound_max,

@@ -3,6 +3,7 @@
 use sunglint::trial::chip::Core;
 
 use super::costs::median;
+use super::figure;
 use super::measurement::{Measurement, Origin};
 use super::subject::Subject;
 use crate::author::is_ours;
@@ -30,8 +31,9 @@ fn cheapest(study: &Study, here: &[&Measurement]) -> String {
     let by_time = least(here, |one| one.call.host[0]);
     let by_count =
         least(here, |one| chip::price(&study.chip, Core::M0, &one.call).map_or(f64::NAN, |price| price.cost));
-    let time = by_time
-        .map(|(format, cost)| format!("{} here ({} calls of f32 factored)", escape(&format), number::cost(cost)));
+    let time = by_time.map(|(format, cost)| {
+        format!("{} on this machine ({} calls of f32 factored)", escape(&format), number::cost(cost))
+    });
     let count = by_count
         .map(|(format, cost)| format!("{} on an M0+ ({} instructions)", escape(&format), number::count(cost as u64)));
     let both: Vec<_> = time.into_iter().chain(count).collect();
@@ -42,7 +44,7 @@ fn most_exact(here: &[&Measurement]) -> String {
     let unit = here.first().map_or("", |one| one.unit);
     let narrow: Vec<_> = here.iter().copied().filter(|one| one.format != "f64").collect();
     let Some((first, error)) = least(here, |one| one.max) else { return "No format works.".to_owned() };
-    let said = |format: &str, error| format!("{} ({} {unit})", escape(format), number::scientific(error));
+    let said = |format: &str, error| format!("{} ({} {unit})", escape(format), figure(error));
     let next = least(&narrow, |one| one.max).filter(|(format, _)| *format != first);
     let next = next.map_or_else(String::new, |(format, error)| format!(", then {}", said(&format, error)));
     format!("Most exact by the worst error: {}{next}.", said(&first, error))
@@ -138,10 +140,10 @@ mod tests {
         let html = said(Subject::Direction(Method::Cap));
         assert!(
             html.contains("<strong>Sun from Earth.</strong> ")
-                && html.contains("Cheapest of what works: f64 here (1.00 calls"),
+                && html.contains("Cheapest of what works: f64 on this machine (1.00 calls"),
             "{html}"
         );
-        assert!(html.contains("Most exact by the worst error: f64 (1.0e-16 rad), then f16 (1.0e-3 rad)"), "{html}");
+        assert!(html.contains("Most exact by the worst error: f64 (<span class=\"number\">1.0e-16</span> rad), then f16 (<span class=\"number\">1.0e-3</span> rad)"), "{html}");
         assert!(
             html.contains("by the arithmetic alone: f64; with the model’s error: f64."),
             "f16 is off by a fifth: {html}"

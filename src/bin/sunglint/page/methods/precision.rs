@@ -2,14 +2,17 @@
 
 use sunglint::trial::Format;
 
+use super::figure;
 use super::measurement::Measurement;
 use crate::author::is_ours;
 use crate::kernel::{Kernel, ULP};
-use crate::number;
 use crate::page::cells::escape;
 
 /// GLES: the relative error that a single operation in mediump may have.
 const MEDIUMP: f64 = 1.0 / 1024.0;
+
+/// Vulkan: the absolute error that a sine or a cosine may have in f32 and in f16.
+const VULKAN: [f64; 2] = [1.0 / 2048.0, 1.0 / 128.0];
 
 /// A sentence or two on `kernel`.
 pub fn paragraph(kernel: Kernel, measured: &[Measurement]) -> String {
@@ -27,7 +30,7 @@ fn places(kernel: Kernel, ours: &[&Measurement]) -> String {
         let format = Format::ALL.into_iter().find(|format| format.name() == one.format)?;
         let is_float = [Format::F64, Format::F32, Format::Micromath, Format::F16].contains(&format);
         let size = if kernel.unit() == ULP { 1.0 } else { format.step() };
-        (of_vectors || is_float).then(|| format!("{} {}", escape(one.format), number::scientific(one.max / size)))
+        (of_vectors || is_float).then(|| format!("{} {}", escape(one.format), figure(one.max / size)))
     };
     let places: Vec<_> = ours.iter().filter_map(|one| place(&one)).collect();
     let unit = if kernel.unit() == ULP { "ULP" } else { "last places of numbers just below 1" };
@@ -41,9 +44,11 @@ fn vulkan(kernel: Kernel, ours: &[&Measurement]) -> String {
             let of =
                 |format: Format| ours.iter().find(|one| one.format == format.name()).map_or(f64::NAN, |one| one.max);
             format!(
-                "Vulkan asks for 2⁻¹¹ (4.9e-4) absolute of f32 and 2⁻⁷ (7.8e-3) of f16; here they are {} and {}.",
-                number::scientific(of(Format::F32)),
-                number::scientific(of(Format::F16))
+                "Vulkan asks for 2⁻¹¹ ({}) absolute of f32 and 2⁻⁷ ({}) of f16; here they are {} and {}.",
+                figure(VULKAN[0]),
+                figure(VULKAN[1]),
+                figure(of(Format::F32)),
+                figure(of(Format::F16))
             )
         }
         Kernel::Normalize => {
@@ -63,7 +68,8 @@ fn mediump(ours: &[&Measurement]) -> String {
     }
     let within: Vec<_> = ours.iter().filter(|one| one.max <= MEDIUMP).map(|one| escape(one.format)).collect();
     let within = if within.is_empty() { "none".to_owned() } else { within.join(", ") };
-    format!("GLES allows one operation in mediump 2⁻¹⁰ (9.8e-4); within that is the whole function in: {within}.")
+    let most = figure(MEDIUMP);
+    format!("GLES allows one operation in mediump 2⁻¹⁰ ({most}); within that is the whole function in: {within}.")
 }
 
 #[cfg(test)]
@@ -78,7 +84,12 @@ mod tests {
         study.kernels[0].error_max = 1.5 * Format::F32.step();
         let measured = Subject::Block(Kernel::Normalize).measurements(&study);
         let html = paragraph(Kernel::Normalize, &measured);
-        assert!(html.contains("just below 1: f32 1.5. Vulkan allows an inverse square root 2 ULP"), "{html}");
+        assert!(
+            html.contains(
+                "just below 1: f32 <span class=\"number\">1.5</span>. Vulkan allows an inverse square root 2 ULP"
+            ),
+            "{html}"
+        );
         assert!(html.contains("whole function in: f32.</p>"), "f16 is infinite in the sample: {html}");
     }
 }

@@ -23,6 +23,8 @@ pub fn of(subject: Subject, measured: &Measurement) -> Option<f64> {
         (Subject::Highlight(shading), _) => pixel(shading, format, measured.under),
         (Subject::PixelQ14, _) => Some(gloss::PIXEL_Q14[case(measured.under)?][0]),
         (Subject::Block(Kernel::Normalize), _) if is_ours(measured.by) => Some(budget::normalize(format)[0]),
+        // What is promised are lanes, of which a direction has three.
+        (Subject::Block(Kernel::Reflect), _) if is_ours(measured.by) => Some(3_f64.sqrt() * budget::reflect(format)?),
         (Subject::Block(kernel), _) if is_ours(measured.by) => Some(kernel.budget(format)),
         (Subject::Block(Kernel::Normalize), _) if measured.by == SOFT => Some(budget::SOFT_NORMALIZE),
         _ => None,
