@@ -21,6 +21,9 @@ use crate::sheet::Sheet;
 
 const SIZE: (f64, f64) = (580.0, 380.0);
 
+/// Dashes of the model’s error.
+const DASHES: &str = "5 3";
+
 /// Half of a cross, in pixels.
 const CROSS: f64 = 2.5;
 
@@ -122,9 +125,10 @@ impl<'a> Chart<'a> {
     fn plots(&self, sheet: &Sheet) -> Vec<Plot> {
         let mut plots: Vec<_> = self.radius().into_iter().map(Plot::Line).collect();
         let model = self.model();
-        plots.extend(self.pieces(&model).map(|piece| {
-            Plot::Line(line(piece, STEP, 1.4).with_line_style(LineStyle::Custom(panel::LINE_DASHES.to_owned())))
-        }));
+        plots.extend(
+            self.pieces(&model)
+                .map(|piece| Plot::Line(line(piece, STEP, 1.4).with_line_style(LineStyle::Custom(DASHES.to_owned())))),
+        );
         let mut named: Vec<_> = model.last().map(|end| ("model".to_owned(), STEP, *end)).into_iter().collect();
         for format in &self.formats {
             let points: Vec<_> = self.of(format).map(|row| (row.at, row.error_max)).collect();
