@@ -3,6 +3,7 @@
 //! To add one: a variant of [`Kernel`], its name, group, unit, inputs and what its error means, its errors and its
 //! calls. Table, chart and clock then have it.
 
+mod budget;
 mod calls;
 mod group;
 pub mod vectors;
@@ -190,30 +191,11 @@ mod tests {
         }
     }
 
-    /// What the tests of the library assert of a kernel.
-    fn budget(kernel: Kernel, format: Format) -> f64 {
-        let maxima = match kernel {
-            Kernel::Normalize | Kernel::Reflect => return 4.0 * format.step(),
-            Kernel::Basis => sampling::BASIS,
-            Kernel::SinCos => sampling::TURN,
-            Kernel::ConeDirection => sampling::DIRECTION[0],
-            Kernel::RelativeIlluminance => diffuse::RELATIVE[0],
-            Kernel::Lambert => diffuse::LAMBERT,
-            Kernel::SoftShadow => return shadow::budget(format, 0, DIRECTIONS),
-            Kernel::Irradiance => return Formula::Irradiance.maximum(format),
-            Kernel::Flux => return Formula::Flux.maximum(format),
-            Kernel::SphereLight => return Formula::SmallSphere.maximum(format),
-            Kernel::RelativeToPeak => blackbody::RELATIVE[0],
-            Kernel::Tint => blackbody::TINT,
-        };
-        maxima[format as usize]
-    }
-
     #[test]
     fn errors_are_those_that_the_library_promises() {
         for kernel in Kernel::ALL {
             for format in Format::ALL {
-                let (found, budget) = (format.visit(Errors(kernel)), budget(kernel, format));
+                let (found, budget) = (format.visit(Errors(kernel)), kernel.budget(format));
                 let name = format!("{} in {}: {} of {budget}", kernel.name(), format.name(), found.max);
                 assert!(found.max <= budget && found.max > budget / 10.0, "{name}");
                 assert!(found.rms < found.max && found.samples >= 40, "{name}");

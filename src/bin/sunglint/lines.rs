@@ -10,10 +10,10 @@ use crate::panel;
 use crate::sheet::Sheet;
 
 /// Room left of the names for what leads there, in pixels.
-const LEAD: f64 = 14.0;
+pub const LEAD: f64 = 14.0;
 
 /// The width of the small letters that names are made of, as a part of what labels keep free.
-const NARROW: f64 = 0.88;
+pub const NARROW: f64 = 0.88;
 
 /// The lines, which end where the lane begins.
 pub fn plots(field: &Field) -> impl Iterator<Item = Plot> {
@@ -56,7 +56,7 @@ fn leader(label: &Label, sheet: &Sheet) -> LinePlot {
 }
 
 /// `heights`, from the least to the greatest, moved until they are `gap` apart and within `bounds`.
-fn apart(heights: &[f64], gap: f64, bounds: (f64, f64)) -> Vec<f64> {
+pub fn apart(heights: &[f64], gap: f64, bounds: (f64, f64)) -> Vec<f64> {
     // Groups of neighbours that touch, each as long as it has members and centred on their mean.
     let mut groups: Vec<(f64, usize)> = Vec::new();
     for &height in heights {

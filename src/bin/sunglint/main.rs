@@ -13,6 +13,7 @@ mod chip;
 mod chip_chart;
 mod clock;
 mod columns;
+mod curve_panel;
 mod curves;
 mod direction_panel;
 mod directions;

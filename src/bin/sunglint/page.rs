@@ -19,7 +19,7 @@ pub use cells::escape;
 use crate::number;
 use crate::result::Study;
 
-const STYLE: &str = include_str!("page.css");
+const STYLE: &str = concat!(include_str!("page.css"), include_str!("page/methods.css"));
 const SCRIPT: &str = include_str!("page.js");
 
 const INTRODUCTION: &str = "<p>Each mark in a chart of error against cost is one way to compute the same thing: a method, told by \

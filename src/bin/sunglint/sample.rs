@@ -1,5 +1,9 @@
 //! Small made-up studies for the tests.
 
+mod methods;
+
+pub use methods::{curves, methods_study};
+
 use sunglint::trial::chip::{self, Cost};
 
 use crate::author::{OURS, PIXEL_Q14, SOFT};

@@ -8,6 +8,14 @@ pub fn escape(text: &str) -> String {
     text.replace('"', "&quot;").replace('\'', "&#39;")
 }
 
+/// `name` as a part of an address within the page: in lower case, with a hyphen for every run of other characters than
+/// letters and digits.
+pub fn slug(name: &str) -> String {
+    let name = name.to_lowercase();
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("-")
+}
+
 /// A table that the script sorts by any column.
 pub fn sortable(id: &str, columns: &[&str], lines: &str) -> String {
     let head = |name: &&str| format!("<th scope=\"col\"><button type=\"button\">{}</button></th>", escape(name));
