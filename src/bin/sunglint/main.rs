@@ -30,6 +30,7 @@ mod lines;
 mod list;
 mod lobe_chart;
 mod lobes;
+mod mark_groups;
 mod marks;
 mod mean;
 mod measure;
@@ -46,8 +47,10 @@ mod pixels;
 mod presets;
 mod quantities;
 mod repro;
+mod required;
 mod result;
 mod rivals;
+mod said;
 #[cfg(test)]
 mod sample;
 mod sheet;

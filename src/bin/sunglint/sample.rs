@@ -2,10 +2,11 @@
 
 use sunglint::trial::chip::{self, Cost};
 
+use crate::anchors::AnchorRow;
 use crate::author::{OURS, PIXEL_Q14, SOFT};
 use crate::axis::{Axis, Costs};
 use crate::chip::{ChipRow, Found};
-use crate::result::{KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
+use crate::result::{Bound, KernelRow, LobeRow, PixelRow, QuantityRow, Row, Study};
 use crate::rivals::Rivals;
 
 /// Times on this machine.
@@ -38,6 +39,15 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         worst_angle: 0.01,
         worst_l: "0x3f800000 00000000 00000000".to_owned(),
         worst_r: "0x3f800000 3c000000 00000000".to_owned(),
+        error_p99: error * 0.8,
+        error_bias: error * -0.1,
+        edge_max: 0.3,
+        edge_rms: 0.1,
+        latency: cost * 1.5,
+        bound: Bound::Searched,
+        bound_max: error * 1.1,
+        bound_samples: 1_000_000,
+        repro: format!("sunglint repro {method} {format} --light 'Sun from Earth'"),
         ..Row::default()
     }
 }
@@ -76,8 +86,26 @@ pub fn whole_study(rows: Vec<Row>) -> Study {
             kernels: vec![KernelRow { by: SOFT, cost: f64::NAN, error_max: 4e-8, ..kernel("f32", 1.0) }],
             pixels: vec![PixelRow { by: PIXEL_Q14, ..pixel("karis", "f32", 3.0, 1e-6) }],
         },
+        anchors: anchors().into(),
         ..study(rows)
     }
+}
+
+/// Anchors of the light, and of the case, of the other rows.
+pub fn anchors() -> [AnchorRow; 3] {
+    let anchor = |subject, light: &str, format: &str, empty: f64, rounded_max: f64| AnchorRow {
+        subject,
+        light: light.to_owned(),
+        format: format.to_owned(),
+        empty,
+        rounded_max,
+        rounded_rms: rounded_max * 0.4,
+    };
+    [
+        anchor("direction", "Sun from Earth", "f32", 0.25, 3e-8),
+        anchor("direction", "Sun from Earth", "I2F14", 0.25, 3e-5),
+        anchor("pixel", "Sun, alpha 0.001", "f32", 0.5, 5e-8),
+    ]
 }
 
 /// A pixel of the polished case.
@@ -106,6 +134,16 @@ pub fn pixel(method: &str, format: &str, cost: f64, error: f64) -> PixelRow {
         worst_n: "3f800000 00000000 00000000".to_owned(),
         worst_v: "3f800000 3c000000 00000000".to_owned(),
         worst_l: "3f800000 00000000 3c000000".to_owned(),
+        error_p99: error * 0.8,
+        error_bias: error * 0.1,
+        steps8_max: 2.0,
+        steps8_rms: 0.4,
+        steps10_max: 8.0,
+        steps10_rms: 1.6,
+        latency: cost * 1.5,
+        bound_max: error,
+        bound_samples: 1000,
+        repro: format!("sunglint repro '{method}' {format} --light 'Sun, alpha 0.001'"),
         ..PixelRow::default()
     }
 }
@@ -141,7 +179,12 @@ pub fn kernel(format: &str, error: f64) -> KernelRow {
         error_rms: error * 0.4,
         samples: 1000,
         worst_input: "v.x 0.25, v.y 0.5, v.z 0.125".to_owned(),
-        ..KernelRow::default()
+        error_p99: error * 0.8,
+        error_bias: None,
+        bound: Bound::Exhaustive,
+        bound_max: error,
+        bound_samples: 1 << 32,
+        repro: format!("sunglint worst --method 'normalize' --format {format}"),
     }
 }
 
