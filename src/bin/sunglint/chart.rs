@@ -15,6 +15,7 @@ use crate::panel::{self, INK, PEER, STEP};
 use crate::pixel_error::PixelError;
 use crate::pixel_panel;
 use crate::result::{Bound, PixelRow, Row, Study};
+use crate::short_numbers;
 
 /// Width of a legend, in pixels.
 pub const LEGEND: f64 = 125.0;
@@ -178,7 +179,7 @@ pub fn svg(mut scene: Scene, name: &str) -> String {
     let (width, height) = (scene.width.ceil(), scene.height.ceil());
     let opening =
         format!("<svg role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {width} {height}\" ", crate::page::escape(name));
-    SvgBackend.render_scene(&scene).replacen("<svg ", &opening, 1)
+    short_numbers::rounded(&SvgBackend.render_scene(&scene).replacen("<svg ", &opening, 1))
 }
 
 /// Takes away the clipping, which cuts labels at the edges and whose identifiers count up over the

@@ -54,6 +54,7 @@ mod said;
 #[cfg(test)]
 mod sample;
 mod sheet;
+mod short_numbers;
 mod snippets;
 mod sweep;
 mod table;

@@ -125,9 +125,9 @@ pub fn count(value: u64) -> String {
     format!("<td class=\"figure\" data-value=\"{value}\">{}</td>", number::count(value))
 }
 
-/// A number that is shown as `shown` and sorted by its full value.
+/// A number that is shown as `shown` and sorted by its first five digits.
 pub fn cell(value: f64, shown: &str) -> String {
-    format!("<td class=\"figure\" data-value=\"{value:e}\">{shown}</td>")
+    format!("<td class=\"figure\" data-value=\"{value:.4e}\">{shown}</td>")
 }
 
 #[cfg(test)]

@@ -65,11 +65,12 @@ pub fn charts(study: &Study) -> String {
         cells::radio("Error", "kind", &ErrorKind::CHARTS.map(ErrorKind::name)),
         costs::choice(&offered),
     ];
-    let shown = |light| {
-        let costs = offered.iter();
-        costs.flat_map(move |&costs| ErrorKind::CHARTS.map(|kind| Shown { light, kind, costs }))
+    // Charts that are alike follow each other, so that they pack well.
+    let of_costs = |&costs| {
+        let of_kind = |kind| lights.iter().map(move |light| Shown { light, kind, costs }).collect::<Vec<_>>();
+        ErrorKind::CHARTS.into_iter().flat_map(of_kind).collect::<Vec<_>>()
     };
-    let all: Vec<_> = lights.iter().map(String::as_str).flat_map(shown).collect();
+    let all: Vec<_> = offered.iter().flat_map(of_costs).collect();
     cells::form(&choice.concat()) + &figures::shown(&all, |shown| shown.figure(study, &key))
 }
 

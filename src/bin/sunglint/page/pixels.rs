@@ -59,11 +59,12 @@ pub fn charts(study: &Study) -> String {
     let offered = Costs::offered(&study.chip, &calls);
     let errors = PixelKind::ALL.into_iter().flat_map(|kind| Mean::ALL.map(|mean| PixelError { kind, mean }));
     let errors: Vec<_> = errors.collect();
-    let shown = |case| {
-        let with_costs = |&error| offered.iter().map(move |&costs| Shown { case, error, costs });
-        errors.iter().flat_map(with_costs).collect::<Vec<_>>()
+    // Charts that are alike follow each other, so that they pack well.
+    let of_costs = |&costs| {
+        let of_error = |&error: &PixelError| cases.iter().map(move |case| Shown { case, error, costs });
+        errors.iter().flat_map(of_error).collect::<Vec<_>>()
     };
-    let all: Vec<_> = cases.iter().map(String::as_str).flat_map(shown).collect();
+    let all: Vec<_> = offered.iter().flat_map(of_costs).collect();
     let choice = [
         cells::select("Light and roughness", "case", &cases),
         cells::radio("Error", "kind", &PixelKind::ALL.map(PixelKind::name)),
