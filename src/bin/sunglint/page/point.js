@@ -25,6 +25,11 @@ function point(mark, hint) {
   tip.replaceChildren(strong, ...lines.map(line => Object.assign(document.createElement('div'), {textContent: line})));
   if (mark.tagName === 'a') tip.append(Object.assign(document.createElement('em'), {textContent: hint}));
   tip.hidden = false;
+  place(mark);
+}
+
+// Puts the box beside a mark, within the window.
+function place(mark) {
   const at = mark.getBoundingClientRect();
   const {width, height} = tip.getBoundingClientRect();
   const room = document.documentElement.clientWidth - width - 8;
@@ -67,7 +72,7 @@ document.addEventListener('focusin', event => {
   if (mark && mark.matches(':focus-visible')) point(mark, 'Enter: its method’s page');
 });
 document.addEventListener('focusout', unpoint);
-document.addEventListener('scroll', unpoint, {capture: true, passive: true});
+document.addEventListener('scroll', () => pointed && place(pointed), {capture: true, passive: true});
 document.addEventListener('keydown', event => {
   if (event.key === 'Escape') unpoint();
 });
