@@ -101,7 +101,6 @@ fn point((row, price): &(&Row, Price), kind: ErrorKind, on_frontier: bool, costs
         on_frontier,
         label: label(row, kind),
         bound: (!is_peer(row.by)).then_some(row.bound),
-        has_page: true,
         tooltip: said::of_direction(row, costs.chip),
     }
 }

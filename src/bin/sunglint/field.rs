@@ -50,8 +50,6 @@ pub struct Point {
     pub label: String,
     /// What the bound of its error rests on; of a peer that is not known.
     pub bound: Option<Bound>,
-    /// Whether its method has a page of its own.
-    pub has_page: bool,
     /// What it says when pointed at.
     pub tooltip: String,
 }

@@ -69,7 +69,6 @@ fn point((row, price): &(&KernelRow, Price), mean: Mean, on_frontier: bool, cost
             None => label,
         },
         bound: (!is_peer(row.by)).then_some(row.bound),
-        has_page: false,
         tooltip: said::of_kernel(row, failure, costs.chip),
     }
 }

@@ -30,7 +30,7 @@ pub fn plots(field: &Field) -> impl Iterator<Item = Plot> {
 /// Colour and dashes of the lines of a sort.
 pub fn style(sort: Sort) -> (&'static str, &'static str) {
     match sort {
-        Sort::Model => (panel::LINE, "5 3"),
+        Sort::Model => (panel::LINE, panel::LINE_DASHES),
         Sort::Size => (panel::SIZE, "9 3"),
         Sort::Required => (panel::REQUIRED, "2 3"),
     }

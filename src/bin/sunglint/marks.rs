@@ -32,7 +32,7 @@ pub fn sizes(pixels: &[(f64, f64)]) -> Vec<f64> {
 /// exhaustive, a light dot in the middle that it is only sampled.
 pub fn of(point: &Point, key: &Key, at: (f64, f64), size: f64) -> Vec<ScatterPlot> {
     let (shape, colour) = (key.shape(&point.method), if point.peer { PEER } else { key.colour(&point.format) });
-    let title = mark_groups::title(if point.has_page { &point.method } else { "" }, &point.tooltip);
+    let title = mark_groups::title(&point.method, &point.tooltip);
     let mark = |shape: MarkerShape, colour: &str, size: f64| part(&title, at, shape, colour, size);
     let rim = if point.bound == Some(Bound::Exhaustive) { RIM } else { PAPER };
     let mut marks = vec![mark(shape, rim, size + 1.6), mark(shape, colour, size)];

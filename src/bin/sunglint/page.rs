@@ -196,7 +196,8 @@ mod tests {
         let targets: BTreeSet<_> =
             everything.split("href=\"#method-").skip(1).filter_map(|rest| rest.split('"').next()).collect();
         let pixels = study.all_pixels().map(|row| &row.method);
-        let methods = study.all_directions().map(|row| &row.method).chain(pixels);
+        let kernels = study.all_kernels().map(|row| &row.kernel);
+        let methods = study.all_directions().map(|row| &row.method).chain(pixels).chain(kernels);
         let slugs: Vec<_> = methods.map(|name| slug(name)).collect();
         assert_eq!(targets, slugs.iter().map(String::as_str).collect());
         let ids = targets.iter().filter(|target| !html.contains(&format!("id=\"method-{target}\"")));

@@ -36,6 +36,8 @@ pub const LINE: &str = "#a06a00";
 pub const SIZE: &str = "#8a3c00";
 /// Colour of the lines of what standards ask for.
 pub const REQUIRED: &str = "#6a4fb0";
+/// Dashes of the lines of model errors.
+pub const LINE_DASHES: &str = "5 3";
 
 const STRIP: &str = "#999999";
 

@@ -104,7 +104,6 @@ fn point((row, price): &(&PixelRow, Price), error: PixelError, on_frontier: bool
         on_frontier,
         label: label.into_iter().flatten().collect::<Vec<_>>().join(" "),
         bound: (!is_peer(row.by)).then_some(row.bound),
-        has_page: true,
         tooltip: said::of_pixel(row, costs.chip),
     }
 }

@@ -30,7 +30,8 @@ pub fn of_direction(row: &Row, chip: &[ChipRow]) -> String {
     } else {
         lines.push(format!("arithmetic error: max {}, rms {}", of_radius(row.error_max), rad(row.error_rms)));
         lines.push(format!("  99 % within {}, bias {}", rad(row.error_p99), rad(row.error_bias)));
-        lines.push(format!("model error: max {}, total: max {}", rad(row.model_max), of_radius(row.total_max)));
+        lines.push(format!("model error: max {}, rms {}", of_radius(row.model_max), rad(row.model_rms)));
+        lines.push(format!("total error: max {}, rms {}", of_radius(row.total_max), rad(row.total_rms)));
         let edge = [row.edge_max, row.edge_rms].map(|value| number::percent(value, 100.0));
         lines.push(format!("edge of the disc: max {} % of the radius, rms {} %", edge[0], edge[1]));
         lines.push(rests_on(&rad(row.bound_max), row.bound, row.bound_samples));

@@ -52,7 +52,7 @@ fn line(row: &KernelRow) -> String {
     let known = |value: f64| if is_peer(row.by) { missing() } else { scientific(value) };
     let cells = [
         text(&row.group),
-        text(&row.kernel),
+        cells::method(&row.kernel),
         text(&author::said(&row.format, row.by)),
         text(&row.unit),
         timed(row.cost, &number::cost(row.cost)),
