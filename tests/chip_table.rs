@@ -64,7 +64,7 @@ fn figure(error: f64, unit: &str) -> String {
 /// The worst of all inputs, as `tests/exhaustive` holds it.
 fn proved(name: &str, format: &str) -> String {
     let start = format!("{name};{format};");
-    let line = include_str!("worst/kernels.csv")
+    let line = include_str!("../src/trial/worst/kernels.csv")
         .lines()
         .find(|line| line.starts_with(&start))
         .unwrap_or_else(|| panic!("no {start}"));

@@ -1,5 +1,7 @@
 //! Whose code is measured and counted, by the names of the table of counts.
 
+use sunglint::trial::chip::peers::{self, Peer};
+
 /// This crate's own, in the way that a format always calls it.
 pub const OURS: &str = "sunglint";
 
@@ -20,6 +22,13 @@ pub fn is_ours(by: &str) -> bool {
 /// Whether it is somebody else's.
 pub fn is_peer(by: &str) -> bool {
     !by.starts_with(OURS) && ![FORMULA, PIXEL_Q14].contains(&by)
+}
+
+/// How the code of a peer fails, by what `tests/peers` has noted, if it does.
+pub fn failure_of_peer(function: &str, format: &str, by: &str) -> Option<&'static str> {
+    let same = |peer: &Peer| [peer.function, peer.format, peer.by] == [function, format, by];
+    let note = peers::rows().find(same)?.note;
+    ["never returns", "wraps"].into_iter().find(|failure| note.contains(failure))
 }
 
 /// What is written beside a mark.
@@ -45,6 +54,15 @@ mod tests {
     fn peers_are_those_who_are_not_of_this_crate() {
         assert!([OURS, SOFT, FORMULA, PIXEL_Q14].iter().all(|by| !is_peer(by)));
         assert!(is_peer("libm 0.2.16") && is_peer("fixed 1.31.0"));
+    }
+
+    #[test]
+    fn peers_that_answer_wrongly_or_never_fail() {
+        let failure = |function, format, by| failure_of_peer(function, format, by);
+        assert_eq!(failure("root", "I16F16", "cordic 0.1.5"), Some("never returns"));
+        assert_eq!(failure("normalize", "I2F30", "fixed 1.31.0"), Some("wraps"));
+        assert_eq!(failure("normalize", "f32", "libm 0.2.16"), None);
+        assert_eq!(failure("normalize", "I2F30", OURS), None);
     }
 
     #[test]

@@ -7,12 +7,15 @@ use kuva::render::render::{Primitive, Scene};
 use crate::axis::{Axis, Costs};
 use crate::direction_panel;
 use crate::error_kind::ErrorKind;
-use crate::field::Field;
+use crate::field::{Field, Sort};
 use crate::key::Key;
-use crate::panel::{self, INK, LINE, LINE_DASHES, PEER, STEP};
+use crate::lines;
+use crate::mark_groups;
+use crate::panel::{self, INK, PEER, STEP};
 use crate::pixel_error::PixelError;
 use crate::pixel_panel;
-use crate::result::{PixelRow, Row, Study};
+use crate::result::{Bound, PixelRow, Row, Study};
+use crate::short_numbers;
 
 /// Width of a legend, in pixels.
 pub const LEGEND: f64 = 125.0;
@@ -26,7 +29,7 @@ pub fn both_errors(study: &Study) -> String {
     let key = direction_key(study);
     let Some(first) = study.rows.first() else { return nothing() };
     let rows = under_light(study.all_directions(), &first.light);
-    let [left, right] = ErrorKind::ALL.map(|kind| direction_panel::field(&rows, kind, on_host(study)));
+    let [left, right] = ErrorKind::ALL.map(|kind| direction_panel::field(&rows, &study.anchors, kind, on_host(study)));
     let name = direction_title(&first.light, Axis::Host);
     let layouts = [panel::layout(&left, PANEL), with_legend(panel::layout(&right, BESIDE_LEGEND), &right, &key)];
     let scene = Figure::new(1, 2)
@@ -47,7 +50,8 @@ pub fn both_errors(study: &Study) -> String {
 pub fn first_pixels(study: &Study) -> String {
     let Some(first) = study.pixels.first() else { return nothing() };
     let error = PixelError::default();
-    let mut field = pixel_panel::field(&of_case(study.all_pixels(), &first.case), error, on_host(study));
+    let mut field =
+        pixel_panel::field(&of_case(study.all_pixels(), &first.case), &study.anchors, error, on_host(study));
     field.title = format!("{}: {}", first.case, field.title);
     one_panel(&field, &pixel_key(study), &pixel_title(&first.case, error, Axis::Host))
 }
@@ -108,7 +112,7 @@ pub fn direction_title(light: &str, axis: Axis) -> String {
 /// What the chart of a case shows.
 pub fn pixel_title(case: &str, error: PixelError, axis: Axis) -> String {
     let PixelError { kind, mean } = error;
-    format!("Lit pixel, {case}: {} of the {} error against {}", mean.name(), kind.name(), axis.against())
+    format!("Lit pixel, {case}: {} of the {} against {}", mean.name(), kind.said(), axis.against())
 }
 
 /// The legend to the right of a panel: shapes, colours, and the rest.
@@ -135,11 +139,11 @@ pub fn legend(field: &Field, key: &Key) -> [(&'static str, Vec<LegendEntry>); 3]
     if field.points.iter().any(|point| point.peer) {
         rest.push(entry("grey: a peer", PEER, LegendShape::Marker(MarkerShape::Hexagon)));
     }
-    if !field.lines.is_empty() {
-        let name = if field.per_cent.is_some() { "100 % of radius" } else { "model error" };
-        let line = entry(name, LINE, LegendShape::Line);
-        rest.push(LegendEntry { dasharray: Some(LINE_DASHES.to_owned()), ..line });
+    if !field.anchors.is_empty() {
+        rest.push(entry("small: ideal", INK, LegendShape::Marker(MarkerShape::Hexagon)));
     }
+    rest.extend(line_entries(field));
+    rest.extend(bound_entries(field).into_iter().map(|name| entry(name, INK, LegendShape::Circle)));
     [
         ("Shape: method", key.methods.iter().map(method).collect()),
         ("Colour: format", key.formats.iter().map(format).collect()),
@@ -147,13 +151,36 @@ pub fn legend(field: &Field, key: &Key) -> [(&'static str, Vec<LegendEntry>); 3]
     ]
 }
 
+/// An entry for each sort of line that there is.
+fn line_entries(field: &Field) -> impl Iterator<Item = LegendEntry> {
+    let names = [(Sort::Model, "model error"), (Sort::Size, "size"), (Sort::Required, "standard")];
+    let shown = names.into_iter().filter(|(sort, _)| field.lines.iter().any(|line| line.sort == *sort));
+    shown.map(|(sort, name)| {
+        let (colour, dashes) = lines::style(sort);
+        let (label, color) = (name.to_owned(), colour.to_owned());
+        LegendEntry { label, color, shape: LegendShape::Line, dasharray: Some(dashes.to_owned()) }
+    })
+}
+
+/// How marks show what their bounds rest on, of those that there are.
+fn bound_entries(field: &Field) -> Vec<&'static str> {
+    let names = [
+        (Bound::Exhaustive, "rim: exhaustive"),
+        (Bound::Searched, "plain: searched"),
+        (Bound::Sampled, "dot: sampled"),
+    ];
+    let has = |bound: Bound| field.points.iter().any(|point| point.bound == Some(bound));
+    names.into_iter().filter(|(bound, _)| has(*bound)).map(|(_, name)| name).collect()
+}
+
 /// Text of `scene` with a name for screen readers, able to grow and shrink.
 pub fn svg(mut scene: Scene, name: &str) -> String {
     unclip(&mut scene);
+    mark_groups::join(&mut scene);
     let (width, height) = (scene.width.ceil(), scene.height.ceil());
     let opening =
         format!("<svg role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {width} {height}\" ", crate::page::escape(name));
-    SvgBackend.render_scene(&scene).replacen("<svg ", &opening, 1)
+    short_numbers::rounded(&SvgBackend.render_scene(&scene).replacen("<svg ", &opening, 1))
 }
 
 /// Takes away the clipping, which cuts labels at the edges and whose identifiers count up over the

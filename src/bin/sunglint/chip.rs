@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use sunglint::trial::chip::{self, Core, Cost, peers};
 use sunglint::trial::lights;
 
-use crate::author::is_peer;
+use crate::author::{failure_of_peer, is_peer};
 use crate::axis::Price;
 use crate::call::Call;
 use crate::key::in_order;
@@ -131,7 +131,8 @@ fn found(study: &Study, count: &chip::Row) -> Option<Found> {
         |function: &str, format: &str, by: &str| [function, format, by] == [count.function, count.format, count.by];
     if is_peer(count.by) {
         let peer = peers::rows().find(|peer| same(peer.function, peer.format, peer.by))?;
-        return Some(Found { note: joined([peer.how, peer.note]), ..own(peer.error, peer.unit, &None) });
+        let failure = failure_of_peer(count.function, count.format, count.by).map(str::to_owned);
+        return Some(Found { note: joined([peer.how, peer.note]), ..own(peer.error, peer.unit, &failure) });
     }
     if let Some(method) = count.function.strip_prefix(PIXEL) {
         let mut rows = study.all_pixels().filter(|row| row.case == PIXEL_CASE);

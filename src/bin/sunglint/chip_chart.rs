@@ -36,7 +36,7 @@ pub fn of_cores(study: &Study) -> String {
 fn fields(study: &Study, rows: &[&Row]) -> [Field; 3] {
     let [_, cores @ ..] = Axis::ALL;
     let fields = cores.map(|axis| {
-        let field = direction_panel::field(rows, ErrorKind::Total, Costs { axis, chip: &study.chip });
+        let field = direction_panel::field(rows, &study.anchors, ErrorKind::Total, Costs { axis, chip: &study.chip });
         Field { title: format!("Cortex-{}", axis.name()), ..field }
     });
     let low = fields.iter().map(|field| field.frame.x.0).fold(f64::INFINITY, f64::min);

@@ -214,7 +214,10 @@ impl Place {
                 at: self.at(),
                 error_max: found.max,
                 error_rms: found.rms(),
-                model_max: Shading::ALL.iter().position(|&one| one == method).map_or(f64::NAN, |place| models[place].max),
+                model_max: Shading::ALL
+                    .iter()
+                    .position(|&one| one == method)
+                    .map_or(f64::NAN, |place| models[place].max),
                 samples: found.samples,
             }
         };
@@ -302,8 +305,7 @@ mod tests {
         let small = curve(&rows, ["direction", "cap", "f16", "ratio"]);
         assert_eq!((small.len(), small[0].at, small[18].at), (19, 1e-6, 1.0));
         // `cap` has no model error; `factored` has most of it for great lights.
-        let [cap, factored] =
-            ["cap", "factored"].map(|method| curve(&rows, ["direction", method, "f64", "ratio"]));
+        let [cap, factored] = ["cap", "factored"].map(|method| curve(&rows, ["direction", method, "f64", "ratio"]));
         assert!(cap.iter().all(|row| row.model_max == 0.0 && row.error_max < 1e-14), "{cap:?}");
         assert!(factored[18].model_max > 100.0 * factored[3].model_max, "{factored:?}");
         // Near the light a formula's error is at most the format's; far off, `factored` leaves the nearest point.

@@ -2,6 +2,7 @@
 
 use crate::axis::Axis;
 use crate::frame::Frame;
+use crate::result::Bound;
 
 /// A panel's content.
 #[derive(Clone, Debug)]
@@ -22,6 +23,8 @@ pub struct Field {
     pub frame: Frame,
     /// What was measured.
     pub points: Vec<Point>,
+    /// What nothing can be cheaper or more exact than.
+    pub anchors: Vec<Anchor>,
     /// Errors to compare with.
     pub lines: Vec<Line>,
 }
@@ -45,8 +48,34 @@ pub struct Point {
     pub on_frontier: bool,
     /// What is written beside it; may be empty.
     pub label: String,
+    /// What the bound of its error rests on; of a peer that is not known.
+    pub bound: Option<Bound>,
     /// What it says when pointed at.
     pub tooltip: String,
+}
+
+/// The true answer rounded into a format, at the cost of an empty call.
+#[derive(Clone, Debug)]
+pub struct Anchor {
+    /// What its colour stands for.
+    pub format: String,
+    /// What an empty call costs; on a core it stands at the left edge.
+    pub cost: Option<f64>,
+    /// How high it stands.
+    pub error: f64,
+    /// What it says when pointed at.
+    pub tooltip: String,
+}
+
+/// What a line across a panel is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sort {
+    /// The part of an error that no precision removes.
+    Model,
+    /// A size to compare with: of the light, or of a step of a display.
+    Size,
+    /// What a standard of graphics asks for.
+    Required,
 }
 
 /// A line across a panel.
@@ -54,6 +83,8 @@ pub struct Point {
 pub struct Line {
     /// How high it lies.
     pub error: f64,
-    /// What is written at its right end; may be empty.
+    /// What is written at its right end.
     pub name: String,
+    /// What it is.
+    pub sort: Sort,
 }

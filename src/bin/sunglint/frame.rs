@@ -43,9 +43,10 @@ impl Frame {
         Self { right: self.x.1 + LANE * (self.x.1 - self.x.0), ..self }
     }
 
-    /// The same from one cost's logarithm to another's, without a lane.
+    /// The same from one cost's logarithm to another's.
     pub fn with_costs(self, x: (f64, f64)) -> Self {
-        Self { x, right: x.1, ..self }
+        let lane = (self.right - self.x.1) / (self.x.1 - self.x.0);
+        Self { x, right: x.1 + lane * (x.1 - x.0), ..self }
     }
 
     /// Place of `cost` along the chart.

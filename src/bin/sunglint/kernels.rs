@@ -99,7 +99,7 @@ impl Visitor for Judge<'_> {
             cost_high: f64::NAN,
             ..KernelRow::default()
         };
-        bound::of_kernel(with_errors(row, measured), self.format, self.options.seed)
+        bound::of_kernel(with_errors(row, measured), self.format, self.options)
     }
 }
 

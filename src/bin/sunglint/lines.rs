@@ -3,7 +3,7 @@
 
 use kuva::prelude::{LinePlot, LineStyle, Plot};
 
-use crate::field::{Field, Line};
+use crate::field::{Field, Line, Sort};
 use crate::labels::{Area, LINE, Label, width};
 use crate::lettering::{self, LEADER};
 use crate::panel;
@@ -20,10 +20,20 @@ pub fn plots(field: &Field) -> impl Iterator<Item = Plot> {
     let frame = field.frame;
     field.lines.iter().map(move |line| {
         let height = frame.up(line.error);
-        let dashes = LineStyle::Custom(panel::LINE_DASHES.to_owned());
-        let line = LinePlot::new().with_data([(frame.x.0, height), (frame.x.1, height)]).with_color(panel::LINE);
+        let (colour, dashes) = style(line.sort);
+        let dashes = LineStyle::Custom(dashes.to_owned());
+        let line = LinePlot::new().with_data([(frame.x.0, height), (frame.x.1, height)]).with_color(colour);
         Plot::Line(line.with_line_style(dashes).with_stroke_width(1.2))
     })
+}
+
+/// Colour and dashes of the lines of a sort.
+pub fn style(sort: Sort) -> (&'static str, &'static str) {
+    match sort {
+        Sort::Model => (panel::LINE, panel::LINE_DASHES),
+        Sort::Size => (panel::SIZE, "9 3"),
+        Sort::Required => (panel::REQUIRED, "2 3"),
+    }
 }
 
 /// Where the lines run, and the lane of their names.
@@ -34,9 +44,16 @@ pub fn areas(field: &Field, sheet: &Sheet) -> Vec<Area> {
     field.lines.iter().map(ends).map(|[start, end]| Area::spanned(start, end)).chain([lane]).collect()
 }
 
-/// Names and leaders for the lines that have names.
+/// Names and leaders for the lines.
 pub fn names(field: &Field, sheet: &Sheet) -> Vec<Plot> {
-    let mut named: Vec<_> = field.lines.iter().filter(|line| !line.name.is_empty()).collect();
+    let labels = labels(field, sheet);
+    let leaders = labels.iter().map(|label| Plot::Line(leader(label, sheet)));
+    leaders.chain([Plot::Scatter(lettering::texts(&labels, sheet))]).collect()
+}
+
+/// The names at the right ends of the lines, one below the other.
+fn labels(field: &Field, sheet: &Sheet) -> Vec<Label> {
+    let mut named: Vec<_> = field.lines.iter().collect();
     named.sort_by(|a, b| b.error.total_cmp(&a.error));
     let start = |line: &Line| sheet.pixels((field.frame.x.1, field.frame.up(line.error)));
     let heights: Vec<_> = named.iter().map(|line| start(line).1).collect();
@@ -45,9 +62,7 @@ pub fn names(field: &Field, sheet: &Sheet) -> Vec<Plot> {
         let middle = mark.0 + LEAD + NARROW * width(&line.name) / 2.0;
         Label { text: line.name.clone(), at: (middle, height), mark }
     };
-    let labels: Vec<_> = named.iter().zip(apart(&heights, LINE + 1.0, sheet.area.y)).map(label).collect();
-    let leaders = labels.iter().map(|label| Plot::Line(leader(label, sheet)));
-    leaders.chain([Plot::Scatter(lettering::texts(&labels, sheet))]).collect()
+    named.iter().zip(apart(&heights, LINE + 1.0, sheet.area.y)).map(label).collect()
 }
 
 fn leader(label: &Label, sheet: &Sheet) -> LinePlot {
@@ -83,6 +98,11 @@ pub fn apart(heights: &[f64], gap: f64, bounds: (f64, f64)) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error_kind::ErrorKind;
+    use crate::pixel_error::PixelError;
+    use crate::result::Row;
+    use crate::sample::{self, HOST};
+    use crate::{chart, direction_panel, pixel_panel};
 
     #[test]
     fn names_keep_their_order_and_their_distance() {
@@ -95,5 +115,27 @@ mod tests {
     #[test]
     fn who_has_room_stays() {
         assert_eq!(apart(&[50.0, 100.0], 12.0, (0.0, 200.0)), [50.0, 100.0]);
+    }
+
+    #[test]
+    fn no_two_names_overlap_and_all_fit_into_the_lane() {
+        let model = |method: &str, worst: f64| Row { model_max: worst, ..sample::row(method, "f32", 1.0, 1e-7) };
+        // Sizes, models and requirements fall together here.
+        let rows = [model("factored", 0.0046), model("epic", 0.0047), model("disc", 0.0039), model("cap", 1e-3)];
+        let rows: Vec<_> = rows.iter().collect();
+        let directions = direction_panel::field(&rows, &[], ErrorKind::Total, HOST);
+        let pixels =
+            ["none", "karis", "karis/3", "exact_rp", "disc_ggx", "disc_ggx dir", "cone_ggx", "cone_ggx shifted"]
+                .map(|method| sample::pixel(method, "f32", 5.0, 1e-6));
+        let pixels = pixel_panel::field(&pixels.iter().collect::<Vec<_>>(), &[], PixelError::default(), HOST);
+        for field in [directions, pixels] {
+            let sheet = Sheet::new(&field.frame, &panel::layout(&field, chart::ALONE));
+            let labels = labels(&field, &sheet);
+            assert!(labels.len() >= 8, "{}", labels.len());
+            assert!(labels.windows(2).all(|pair| pair[1].at.1 - pair[0].at.1 >= LINE), "{labels:?}");
+            let right = |label: &Label| label.at.0 + NARROW * width(&label.text) / 2.0;
+            let widest = labels.iter().max_by(|a, b| right(a).total_cmp(&right(b))).expect("a label");
+            assert!(right(widest) <= sheet.area.x.1 + 1.0, "{widest:?} {:?}", sheet.area);
+        }
     }
 }

@@ -5,6 +5,7 @@ use kuva::prelude::{Layout, LinePlot, Plot, ScatterPlot, render_multiple};
 
 use crate::chart::{self, ALONE};
 use crate::key::{Key, colour, in_order};
+use crate::mark_groups;
 use crate::number;
 use crate::panel;
 use crate::result::LobeRow;
@@ -46,7 +47,7 @@ fn line(points: &[((f64, f64), String)], method: &str, key: &Key) -> Vec<Plot> {
         .with_marker(key.shape(method))
         .with_color(key.colour(method))
         .with_size(5.0)
-        .with_tooltip_labels(points.iter().map(|(_, tooltip)| tooltip.clone()))
+        .with_tooltip_labels(points.iter().map(|(_, tooltip)| mark_groups::title(method, tooltip)))
         .with_tooltips();
     vec![Plot::Line(line), Plot::Scatter(marks)]
 }

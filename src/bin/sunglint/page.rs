@@ -3,37 +3,39 @@
 mod cells;
 mod chip;
 mod costs;
+mod direction_table;
 mod directions;
+mod figures;
+mod kernel_table;
 mod kernels;
 mod lobes;
 mod methods;
+mod origin;
+mod pack;
 mod pictures;
+mod pixel_table;
 mod pixels;
 mod presets;
 mod quantities;
+mod short;
+mod signs;
 mod sweep;
 mod take_away;
 
-pub use cells::escape;
+pub use cells::{escape, slug};
 
-use crate::number;
 use crate::result::Study;
 
 const STYLE: &str = concat!(include_str!("page.css"), include_str!("page/methods.css"));
-const SCRIPT: &str = include_str!("page.js");
-
-const INTRODUCTION: &str = "<p>Each mark in a chart of error against cost is one way to compute the same thing: a method, told by \
-its shape, in a number format, told by its colour and its label. Further <strong>left is \
-cheaper</strong> (in time on the machine of this run, or in instructions on a microcontroller, as chosen \
-above the chart), further <strong>down is more exact</strong>; both axes are logarithmic. The grey \
-stairs are the Pareto frontier: for every mark off them there is another that is neither dearer nor \
-more wrong. A hollow, crossed-out mark fails, and \
-its label says how: <em>disc lost</em> is off by half of the radius or more within ten radii of the \
-light; in the grey strip on top stands what gave no number at all. Marks that coincide are drawn inside each other, the outer ones larger. Point at a mark for its numbers.</p>";
+const SCRIPT: &str = concat!(
+    include_str!("page/choose.js"),
+    include_str!("page/point.js"),
+    include_str!("page/table.js"),
+    include_str!("page/start.js")
+);
 
 const DIRECTIONS: &str = "<p>A highlight shows the point of a light that lies nearest to the mirror direction. \
-These are ways to find the direction to that point. The dashed line is an error as large as the light’s own angular \
-radius.</p>";
+These are ways to find the direction to that point, and what they cost.</p>";
 
 /// The whole page.
 pub fn report(study: &Study) -> String {
@@ -45,18 +47,15 @@ pub fn report(study: &Study) -> String {
         "<!doctype html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>sunglint: error against cost</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <header><h1>sunglint</h1><p>Error against cost of light directions, lit pixels and their parts, {} \
-         measurements</p></header>\n<nav><ul>{contents}</ul></nav>\n<main>\n{sections}</main>\n\
-         <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
-        study.all_directions().count()
-            + study.all_pixels().count()
-            + study.lobes.len()
-            + study.kernels.len()
-            + study.chip.len(),
+         <header id=\"top\"><h1>sunglint</h1><p>Which formula in which number format is good enough, and what does it cost?</p>\n\
+         {}</header>\n<nav aria-label=\"Contents\"><ul><li><a href=\"#top\">Top</a></li>{contents}</ul></nav>\n\
+         <main>\n{}{sections}</main>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n",
+        origin::summary(study),
+        short::all(study),
     )
 }
 
-/// A part of the page under a heading.
+/// A part of the page under a heading, which folds it.
 struct Section {
     /// Address within the page.
     id: &'static str,
@@ -64,38 +63,40 @@ struct Section {
     short: Option<&'static str>,
     title: &'static str,
     content: String,
+    /// Whether it is unfolded at first.
+    open: bool,
 }
 
 impl Section {
     fn html(&self) -> String {
-        let Self { id, title, content, .. } = self;
-        format!("<section id=\"{id}\">\n<h2>{title}</h2>\n{content}\n</section>\n")
+        let Self { id, title, content, open, .. } = self;
+        let open = if *open { " open" } else { "" };
+        format!(
+            "<section id=\"{id}\">\n<details{open}><summary><h2>{title}</h2></summary>\n{content}\n</details>\n</section>\n"
+        )
     }
 }
 
 /// What the page is made of, less what was not measured.
 fn sections(study: &Study) -> Vec<Section> {
-    let section = |id, short, title, content| Section { id, short, title, content };
-    let mut sections = vec![section("how", Some("How to read this"), "How to read this", INTRODUCTION.to_owned())];
+    let section = |id, short, title, content| Section { id, short, title, content, open: true };
+    let mut sections = Vec::new();
     if !study.rows.is_empty() {
         let charts = format!("{DIRECTIONS}\n{}", directions::charts(study));
-        let errors = "Specular direction: arithmetic error, model error, total error";
+        let methods = format!("{}\n{}", directions::METHODS, directions::RIVALS);
+        let errors = "Specular direction: arithmetic, model, total and edge error";
         sections.extend([
             section("directions", Some("Directions"), "Specular direction: error against cost", charts),
-            section(
-                "methods",
-                None,
-                "Specular direction: the methods",
-                format!("{}\n{}", directions::METHODS, directions::RIVALS),
-            ),
-            section("errors", None, errors, directions::errors(study)),
-            section("all-directions", None, "Specular direction: all measurements", directions::all(study)),
+            section("how", Some("How to read this"), "How to read the charts", signs::all()),
+            section("all-directions", None, "Specular direction: all measurements", direction_table::all(study)),
+            Section { open: false, ..section("methods", None, "Specular direction: the methods", methods) },
+            Section { open: false, ..section("errors", None, errors, directions::errors(study)) },
         ]);
     }
     if !study.pixels.is_empty() {
         sections.extend([
             section("pixels", Some("Lit pixels"), "Lit pixels: error against cost", pixels::charts(study)),
-            section("all-pixels", None, "Lit pixels: all measurements", pixels::all(study)),
+            section("all-pixels", None, "Lit pixels: all measurements", pixel_table::all(study)),
         ]);
     }
     if !study.lobes.is_empty() {
@@ -119,45 +120,18 @@ fn sections(study: &Study) -> Vec<Section> {
         section("parts", Some("Building blocks"), "Building blocks", kernels::all(study)),
         section("chip", Some("On the chip"), "On the chip: instructions, stack and bytes", chip::all(study)),
         section("of-a-light", Some("Quantities"), "Quantities of the light", quantities::all(&study.quantities)),
-        section("origin", Some("Origin"), "How the numbers were made", origin(study)),
+        section("origin", Some("Origin"), "How the numbers were made", origin::section(study)),
     ];
     let measured = [!study.kernels.is_empty(), !study.chip.is_empty(), !study.quantities.is_empty(), true];
-    sections.extend(last.into_iter().zip(measured).filter_map(|(section, measured)| measured.then_some(section)));
+    let last = last.into_iter().zip(measured).filter_map(|(section, measured)| measured.then_some(section));
+    sections.extend(last.map(|section| Section { open: section.id == "parts", ..section }));
     sections
-}
-
-/// Seed, size and command of the run.
-fn origin(study: &Study) -> String {
-    let tried = study.rows.iter().map(|row| row.samples);
-    let (least, most) = (tried.clone().min().unwrap_or(0), tried.max().unwrap_or(0));
-    let tried = match least == most {
-        true => number::count(most),
-        false => format!("{} to {}", number::count(least), number::count(most)),
-    };
-    format!(
-        "<p>sunglint {} tried {tried} directions for each measurement of a direction, drawn at random from seed {}, and the hard ones \
-         that have broken a method, and {} (by the integral over the disc), also random. \
-         To do it again: <code>{}</code>. The same seed gives the same errors. \
-         The costs are times of this machine in this run on the pixels of a ball in scan order, less that of an \
-         empty call: the median over the \
-         rounds, as a multiple of the time of f32 <code>factored</code> in the same round, with the \
-         quartiles beside it. A loop over a million pixels in fixed point is no faster than as many calls: early answers, \
-         a table, leading zeros and products of 64 bits keep the compiler from vectorising it (<code>tests/peers</code> \
-         measures that). Every worst case is given with the raw bits of its input (the first input, where no answer is a \
-         direction), or in exact decimals for building blocks, so that it can be computed again (of soft_shadow the scene without the \
- direction to its light). The same numbers lie next to this page in <code>results.csv</code>, \
-         <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code>, <code>chip.csv</code> and, all together, in \
-         <code>results.json</code>, the first charts in <code>chart.svg</code>, <code>chips.svg</code> and <code>pixels.svg</code>.</p>\n{}",
-        escape(&study.version),
-        study.seed,
-        pixels::tried(study),
-        escape(&study.command),
-        chip::origin()
-    )
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::sample;
 
@@ -168,24 +142,98 @@ mod tests {
         let html = report(&sample::study(vec![row]));
         assert!(!html.contains("<b>") && html.contains("&lt;b&gt;"));
         assert_eq!(html.matches("<script>").count(), 1);
+        assert!(pack::all_unpacked(&html).iter().all(|html| !html.contains("<b>") && !html.contains("<script>")));
     }
 
     #[test]
     fn there_is_a_figure_for_each_choice_and_a_row_for_each_measurement() {
         let study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
         let html = report(&study);
-        let count = |piece: &str| html.matches(piece).count();
-        // Two kinds of error of the light, two by two of the case, two means of the building blocks, each over four
+        let plain = |piece: &str| html.matches(piece).count();
+        // One of a section or a group is plain: the light's, the case's, the highlight's, the building blocks'.
+        let shown = ["<figure data-light", "<figure data-case", "class=\"several\""].map(plain);
+        assert_eq!(shown, [2, 1, 1]);
+        // Four kinds of error of the light, five by two of the case, two means of the building blocks, each over four
         // costs; the highlight.
-        let figures = [count("<figure data-light"), count("<figure data-case"), count("class=\"several\"")];
-        assert_eq!(figures, [2 * 4 + 1, 2 * 2 * 4, 2 * 4]);
-        assert_eq!(count("<tr data-function"), study.chip.len());
-        assert_eq!(count("<tr data-case"), study.all_pixels().count());
-        assert_eq!(count("data-alpha"), study.lobes.len());
+        let everything = html.clone() + &pack::all_unpacked(&html).concat();
+        let count = |piece: &str| everything.matches(piece).count();
+        let figures = ["<figure data-light", "<figure data-case", "class=\"several\""].map(count);
+        assert_eq!(figures, [4 * 4 + 1, 5 * 2 * 4, 2 * 4]);
+        assert_eq!(plain("<tr data-function") - study.all_kernels().count(), study.chip.len());
+        assert_eq!(plain("<tr data-light") - study.lobes.len(), study.all_directions().count());
+        assert_eq!(plain("<tr data-case"), study.all_pixels().count());
+        assert_eq!(plain("data-alpha"), study.lobes.len());
         for option in ["Sun, alpha 0.001", "45", "0.0625", "all"] {
             assert!(html.contains(&format!("<option>{option}</option>")), "{option}");
         }
         assert!(html.contains(&study.kernels[0].worst_input));
+    }
+
+    /// The first of every control is what is chosen when the page opens.
+    #[test]
+    fn the_plain_figures_are_those_that_the_controls_begin_with() {
+        let html = report(&sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]));
+        for first in [
+            "<figure data-light=\"Sun from Earth\" data-kind=\"arithmetic\" data-axis=\"host\">",
+            "<figure data-case=\"Sun, alpha 0.001\" data-kind=\"total\" data-mean=\"rms\" data-axis=\"host\">",
+            "<figure class=\"several\" data-mean=\"rms\" data-axis=\"host\">",
+        ] {
+            assert!(html.contains(first), "{first}");
+        }
+    }
+
+    #[test]
+    fn a_pack_holds_the_same_drawings_as_are_drawn() {
+        let study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        let packed = pack::all_unpacked(&report(&study)).concat();
+        let rows = crate::chart::under_light(study.all_directions(), "Sun from Earth");
+        let costs = crate::axis::Costs { axis: crate::axis::Axis::ALL[1], chip: &study.chip };
+        let kind = crate::error_kind::ErrorKind::Total;
+        let field = crate::direction_panel::field(&rows, &study.anchors, kind, costs);
+        let name = format!("{}: total error", crate::chart::direction_title("Sun from Earth", costs.axis));
+        let svg = crate::chart::one_panel(&field, &crate::chart::direction_key(&study), &name);
+        assert!(packed.contains(&figures::linked(&svg)));
+    }
+
+    #[test]
+    fn every_mark_leads_to_the_page_of_its_method() {
+        let study = sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]);
+        let html = report(&study);
+        let everything = html.clone() + &pack::all_unpacked(&html).concat();
+        let targets: BTreeSet<_> =
+            everything.split("href=\"#method-").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+        let pixels = study.all_pixels().map(|row| &row.method);
+        let kernels = study.all_kernels().map(|row| &row.kernel);
+        let methods = study.all_directions().map(|row| &row.method).chain(pixels).chain(kernels);
+        let slugs: Vec<_> = methods.map(|name| slug(name)).collect();
+        assert_eq!(targets, slugs.iter().map(String::as_str).collect());
+        let ids = targets.iter().filter(|target| !html.contains(&format!("id=\"method-{target}\"")));
+        assert!(methods::all(&study).is_empty() || ids.count() == 0);
+    }
+
+    #[test]
+    fn every_link_within_the_page_has_a_target_and_no_id_stands_twice() {
+        let html = report(&sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]));
+        let between = |piece: &str| -> Vec<String> {
+            html.split(piece).skip(1).filter_map(|rest| rest.split('"').next()).map(str::to_owned).collect()
+        };
+        let ids = between(" id=\"");
+        assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len(), "{ids:?}");
+        let links = between("href=\"#");
+        let missing: Vec<_> = links.iter().filter(|link| !link.starts_with("method-") && !ids.contains(link)).collect();
+        assert!(links.len() > 8 && missing.is_empty(), "{missing:?}");
+    }
+
+    #[test]
+    fn nothing_is_loaded() {
+        let html = report(&sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]));
+        let everything = html.clone() + &pack::all_unpacked(&html).concat();
+        for loader in ["src=\"http", "href=\"http", "url(", "@import", "<link", "fetch(", "import("] {
+            assert!(!everything.contains(loader), "{loader}");
+        }
+        // What is left of addresses are names.
+        let names = everything.matches("http").count();
+        assert_eq!(names, everything.matches("xmlns=\"http://www.w3.org/2000/svg\"").count());
     }
 
     #[test]

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use kuva::prelude::{AxisLine, Layout, LinePlot, Plot, ShadedRegion, Theme, TickFormat};
 
 use crate::axis::Axis;
-use crate::field::{Field, Point};
+use crate::field::{Anchor, Field, Point};
 use crate::frame::Frame;
 use crate::key::Key;
 use crate::labels::Mark;
@@ -28,11 +28,17 @@ pub const STEP: &str = "#7a7a7a";
 pub const PEER: &str = "#9a9a9a";
 /// Colour of the lines at the ticks.
 pub const GRID: &str = "#e6e6e6";
-/// Colour of the lines to compare with.
+/// Colour of the rim of a mark whose bound is exhaustive.
+pub const RIM: &str = "#1c1c1c";
+/// Colour of the lines of model errors.
 pub const LINE: &str = "#a06a00";
-
-/// Dashes of those lines.
+/// Colour of the lines of sizes.
+pub const SIZE: &str = "#8a3c00";
+/// Colour of the lines of what standards ask for.
+pub const REQUIRED: &str = "#6a4fb0";
+/// Dashes of the lines of model errors.
 pub const LINE_DASHES: &str = "5 3";
+
 const STRIP: &str = "#999999";
 
 /// What is drawn on `layout`, from the back to the front.
@@ -45,13 +51,19 @@ pub fn plots(field: &Field, key: &Key, layout: &Layout) -> Vec<Plot> {
 
     let mut plots = if field.axis == Axis::Host { Vec::new() } else { ticks::plots(field, &sheet) };
     plots.extend(lines::plots(field).chain([Plot::Line(staircase(&stairs))]));
+    let anchors: Vec<_> = field.anchors.iter().map(|anchor| anchored(anchor, frame)).collect();
+    for (anchor, &place) in field.anchors.iter().zip(&anchors) {
+        plots.extend(marks::of_anchor(anchor, key, place).map(Plot::Scatter));
+    }
     let sizes = marks::sizes(&pixels);
     for ((point, place), &size) in field.points.iter().zip(places).zip(&sizes) {
         let marks = marks::of(point, key, place, size);
         plots.extend(marks.into_iter().map(Plot::Scatter));
     }
     let named = |((point, at), reach): ((&Point, (f64, f64)), f64)| Mark { at, reach, name: point.label.clone() };
-    let named: Vec<_> = field.points.iter().zip(pixels).zip(sizes).map(named).collect();
+    let unnamed = |&place: &(f64, f64)| Mark { at: sheet.pixels(place), reach: marks::ANCHOR, name: String::new() };
+    let named = field.points.iter().zip(pixels).zip(sizes).map(named);
+    let named: Vec<_> = named.chain(anchors.iter().map(unnamed)).collect();
     let taken = [sheet.steps(&stairs), lines::areas(field, &sheet)].concat();
     plots.extend(lettering::plots(&named, &taken, &sheet));
     plots.extend(lines::names(field, &sheet));
@@ -164,6 +176,11 @@ fn frontier(field: &Field) -> Vec<(f64, f64)> {
 
 fn staircase(corners: &[(f64, f64)]) -> LinePlot {
     LinePlot::new().with_data(corners.iter().copied()).with_step().with_color(STEP).with_stroke_width(1.8)
+}
+
+/// Where an anchor stands: at its cost, or at the left edge.
+fn anchored(anchor: &Anchor, frame: &Frame) -> (f64, f64) {
+    (anchor.cost.map_or(frame.x.0, |cost| frame.across(cost)), frame.up(anchor.error))
 }
 
 fn place(point: &Point, frame: &Frame) -> (f64, f64) {

@@ -144,13 +144,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The lights whose directions are drawn: the first, unless others were asked for.
 fn lights(options: &Options) -> Vec<Light> {
     let lights = options.lights();
-    if options.light.is_some() { lights } else { lights.into_iter().take(1).collect() }
+    if options.filter.light.is_some() { lights } else { lights.into_iter().take(1).collect() }
 }
 
 /// The cases that are drawn: one, unless others were asked for.
 fn cases(options: &Options) -> Vec<Case> {
     let cases = pixels::wanted(options);
-    if options.light.is_some() || cases.len() < 2 {
+    if options.filter.light.is_some() || cases.len() < 2 {
         return cases;
     }
     let first = cases.iter().find(|case| case.name == FIRST_CASE).or(cases.first());

@@ -1,34 +1,41 @@
 //! The panel of lit pixels in one case.
 
+use crate::anchors::AnchorRow;
 use crate::author::{self, is_peer};
-use crate::axis::{Costs, Price};
-use crate::error_kind::ErrorKind;
-use crate::field::{Field, Line, Point};
+use crate::axis::{Axis, Costs, Price};
+use crate::field::{Anchor, Field, Line, Point, Sort};
 use crate::frame::Frame;
 use crate::frontier;
 use crate::key::in_order;
+use crate::mean::Mean;
 use crate::number;
-use crate::pixel_error::PixelError;
+use crate::pixel_error::{PixelError, PixelKind};
+use crate::required;
 use crate::result::PixelRow;
+use crate::said;
 
-/// One error of those of `rows` that have a cost; all are of one case. With the total error goes a line for each
-/// method's model error.
-pub fn field(rows: &[&PixelRow], error: PixelError, costs: Costs) -> Field {
+/// One error of those of `rows` that have a cost, and of those `anchors` that are of their case; all rows are of one
+/// case.
+pub fn field(rows: &[&PixelRow], anchors: &[AnchorRow], error: PixelError, costs: Costs) -> Field {
     let priced = costs.priced(rows, PixelRow::call);
     let rows: Vec<_> = priced.iter().map(|(row, _)| *row).collect();
-    let lines = if error.kind == ErrorKind::Total { lines(&rows, error) } else { Vec::new() };
+    let (lines, anchors) = (lines(&rows, error), anchored(&rows, anchors, error, costs.axis));
     let errors = rows.iter().map(|row| error.of(row)).chain(lines.iter().map(|line| line.error));
-    let frame = Frame::new(costs.axis, priced.iter().map(|(_, price)| price.cost), errors);
+    let errors = errors.chain(anchors.iter().map(|anchor| anchor.error));
+    let paid = priced.iter().map(|(_, price)| price.cost).chain(anchors.iter().filter_map(|anchor| anchor.cost));
+    let frame = Frame::new(costs.axis, paid, errors);
     let on_frontier = frontier::members(&priced, |_| String::new(), |(row, price)| error.standing(row, price.cost));
     Field {
-        title: format!("{} {} error of a lit pixel", error.mean.adjective(), error.kind.name()),
+        title: format!("{} {} of a lit pixel", error.mean.adjective(), error.kind.said()),
         subtitle: subtitle(error),
         call: "pixel",
         axis: costs.axis,
-        error_axis: "error relative to the pixel".to_owned(),
+        error_axis: if error.kind.is_steps() { "steps of the display" } else { "error relative to the pixel" }
+            .to_owned(),
         per_cent: None,
         frame: if lines.is_empty() { frame } else { frame.with_lane() },
-        points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, error, member)).collect(),
+        points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, error, member, costs)).collect(),
+        anchors,
         lines,
     }
 }
@@ -36,23 +43,57 @@ pub fn field(rows: &[&PixelRow], error: PixelError, costs: Costs) -> Field {
 /// What the error is against, and what the lines mean.
 fn subtitle(error: PixelError) -> String {
     match error.kind {
-        ErrorKind::Total => {
+        PixelKind::Total => {
             "against the BRDF integrated over the disc; dashed: the model’s part, which no precision removes"
         }
-        ErrorKind::Arithmetic => error.against(),
+        _ => error.against(),
     }
     .to_owned()
 }
 
-/// The model error of each method, which no precision removes.
+/// What the error is compared with: of the total the model error of each method, of steps the half of one.
 fn lines(rows: &[&PixelRow], error: PixelError) -> Vec<Line> {
+    match error.kind {
+        PixelKind::Total => models(rows, error).into_iter().chain(required::of_shading()).collect(),
+        PixelKind::Arithmetic => required::of_shading().into(),
+        PixelKind::Model => Vec::new(),
+        PixelKind::Steps8 | PixelKind::Steps10 => {
+            vec![Line { error: 0.5, name: "half a step".to_owned(), sort: Sort::Size }]
+        }
+    }
+}
+
+fn models(rows: &[&PixelRow], error: PixelError) -> Vec<Line> {
     let first = |name: &String| rows.iter().find(|row| row.method == *name);
     let names = in_order(rows.iter().map(|row| &row.method));
-    let line = |name: &String| first(name).map(|row| Line { error: error.model(row), name: name.clone() });
+    let line =
+        |name: &String| first(name).map(|row| Line { error: error.model(row), name: name.clone(), sort: Sort::Model });
     names.iter().filter_map(line).collect()
 }
 
-fn point((row, price): &(&PixelRow, Price), error: PixelError, on_frontier: bool) -> Point {
+/// The anchors of the case of `rows`, of the kinds of error that rounding a pixel is part of.
+fn anchored(rows: &[&PixelRow], anchors: &[AnchorRow], error: PixelError, axis: Axis) -> Vec<Anchor> {
+    let Some(first) = rows.first() else { return Vec::new() };
+    let here = |row: &&AnchorRow| row.subject == "pixel" && row.light == first.case;
+    let anchor = |row: &AnchorRow| {
+        let rounded = match error.mean {
+            Mean::Rms => row.rounded_rms,
+            Mean::Max => row.rounded_max,
+        };
+        let cost = (axis == Axis::Host).then_some(row.empty);
+        let anchor = Anchor { format: row.format.clone(), cost, error: rounded, tooltip: String::new() };
+        let said = format!("max {}, rms {}", number::scientific(row.rounded_max), number::scientific(row.rounded_rms));
+        Anchor { tooltip: said::of_anchor(&anchor, &said), ..anchor }
+    };
+    let shown = match error.kind {
+        PixelKind::Total | PixelKind::Arithmetic => anchors,
+        _ => &[],
+    };
+    shown.iter().filter(here).map(anchor).collect()
+}
+
+fn point((row, price): &(&PixelRow, Price), error: PixelError, on_frontier: bool, costs: Costs) -> Point {
+    let label = [Some(author::label(&row.format, row.by)), row.failure.clone()];
     Point {
         method: row.method.clone(),
         format: row.format.clone(),
@@ -61,45 +102,33 @@ fn point((row, price): &(&PixelRow, Price), error: PixelError, on_frontier: bool
         error: error.of(row),
         fails: row.failure.is_some(),
         on_frontier,
-        label: [Some(author::label(&row.format, row.by)), row.failure.clone()]
-            .into_iter()
-            .flatten()
-            .collect::<Vec<_>>()
-            .join(" "),
-        tooltip: tooltip(row, error, price),
+        label: label.into_iter().flatten().collect::<Vec<_>>().join(" "),
+        bound: (!is_peer(row.by)).then_some(row.bound),
+        tooltip: said::of_pixel(row, costs.chip),
     }
-}
-
-fn tooltip(row: &PixelRow, error: PixelError, price: &Price) -> String {
-    format!(
-        "{} in {}\n{} of the arithmetic error {}, of the model error {}, of both {}\n{}",
-        row.method,
-        author::said(&row.format, row.by),
-        error.mean.name(),
-        number::scientific(PixelError { kind: ErrorKind::Arithmetic, ..error }.of(row)),
-        number::scientific(error.model(row)),
-        number::scientific(PixelError { kind: ErrorKind::Total, ..error }.of(row)),
-        price.said,
-    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mean::Mean;
     use crate::sample::{self, HOST};
 
     #[test]
-    fn only_the_total_error_has_lines_and_each_method_one() {
+    fn the_lines_are_those_of_the_error() {
         let rows = [
             sample::pixel("karis", "f32", 5.0, 1e-6),
             sample::pixel("karis", "f16", 90.0, 1e-2),
             sample::pixel("cone_ggx", "f32", 9.0, 1e-6),
         ];
         let rows: Vec<_> = rows.iter().collect();
-        let lines = |kind| field(&rows, PixelError { kind, mean: Mean::Max }, HOST).lines;
-        assert_eq!(lines(ErrorKind::Total).len(), 2);
-        assert!(lines(ErrorKind::Arithmetic).is_empty());
+        let names = |kind| -> Vec<_> {
+            let field = field(&rows, &[], PixelError { kind, mean: Mean::Max }, HOST);
+            field.lines.into_iter().map(|line| line.name).collect()
+        };
+        assert_eq!(names(PixelKind::Total), ["karis", "cone_ggx", "GLES lowp", "GLES mediump"]);
+        assert_eq!(names(PixelKind::Arithmetic), ["GLES lowp", "GLES mediump"]);
+        assert_eq!(names(PixelKind::Steps8), ["half a step"]);
+        assert!(names(PixelKind::Model).is_empty());
     }
 
     #[test]
@@ -108,7 +137,19 @@ mod tests {
         for row in &mut rows {
             row.total_rms = row.error_rms.hypot(0.3);
         }
-        let field = field(&rows.iter().collect::<Vec<_>>(), PixelError::default(), HOST);
+        let field = field(&rows.iter().collect::<Vec<_>>(), &[], PixelError::default(), HOST);
         assert!(field.points[0].on_frontier && !field.points[1].on_frontier);
+    }
+
+    #[test]
+    fn anchors_stand_at_the_mean_that_is_shown() {
+        let row = sample::pixel("karis", "f32", 5.0, 1e-6);
+        let anchors = |error| -> Vec<_> {
+            let field = field(&[&row], &sample::anchors(), error, HOST);
+            field.anchors.into_iter().map(|anchor| (anchor.cost, anchor.error)).collect()
+        };
+        assert_eq!(anchors(PixelError::default()), [(Some(0.5), 2e-8)]);
+        assert_eq!(anchors(PixelError { kind: PixelKind::Arithmetic, mean: Mean::Max }), [(Some(0.5), 5e-8)]);
+        assert!(anchors(PixelError { kind: PixelKind::Steps8, mean: Mean::Max }).is_empty());
     }
 }

@@ -67,6 +67,7 @@ pub fn rounds(options: &Options) -> usize {
 
 /// The true levels of the pixels whose arithmetic is judged: the BRDF integrated over the disc, in every case, at the
 /// inputs as each format rounds them.
+#[derive(Default)]
 pub struct Truths(Vec<Truth>);
 
 struct Truth {
@@ -278,12 +279,7 @@ pub struct Judged {
 
 impl Judged {
     /// Of `code`, which computes what `method` does.
-    pub fn of<T: Real>(
-        method: Shading,
-        case: &Case,
-        options: &Options,
-        code: impl Fn([[T; 3]; 3]) -> f64,
-    ) -> Self {
+    pub fn of<T: Real>(method: Shading, case: &Case, options: &Options, code: impl Fn([[T; 3]; 3]) -> f64) -> Self {
         let levels = RefCell::new(Vec::new());
         let error = gloss::arithmetic_of_code(method, case, arithmetic(case, options), |lanes| {
             let level = code(lanes);

@@ -6,6 +6,7 @@ pub use methods::{curves, methods_study};
 
 use sunglint::trial::chip::{self, Cost};
 
+use crate::anchors::AnchorRow;
 use crate::author::{OURS, PIXEL_Q14, SOFT};
 use crate::axis::{Axis, Costs};
 use crate::chip::{ChipRow, Found};
@@ -51,7 +52,9 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         bound: Bound::Searched,
         bound_max: error * 1.1,
         bound_samples: 870_000,
-        repro: format!("sunglint repro {method} {format} --light 'Sun from Earth' --l '3f800000 0 0' --r '3f800000 0 0'"),
+        repro: format!(
+            "sunglint repro {method} {format} --light 'Sun from Earth' --l '3f800000 0 0' --r '3f800000 0 0'"
+        ),
         ..Row::default()
     }
 }
@@ -91,8 +94,26 @@ pub fn whole_study(rows: Vec<Row>) -> Study {
             kernels: vec![KernelRow { by: SOFT, cost: f64::NAN, error_max: 4e-8, ..kernel("f32", 1.0) }],
             pixels: vec![PixelRow { by: PIXEL_Q14, ..pixel("karis", "f32", 3.0, 1e-6) }],
         },
+        anchors: anchors().into(),
         ..study(rows)
     }
+}
+
+/// Anchors of the light, and of the case, of the other rows.
+pub fn anchors() -> [AnchorRow; 3] {
+    let anchor = |subject, light: &str, format: &str, empty: f64, rounded_max: f64| AnchorRow {
+        subject,
+        light: light.to_owned(),
+        format: format.to_owned(),
+        empty,
+        rounded_max,
+        rounded_rms: rounded_max * 0.4,
+    };
+    [
+        anchor("direction", "Sun from Earth", "f32", 0.25, 3e-8),
+        anchor("direction", "Sun from Earth", "I2F14", 0.25, 3e-5),
+        anchor("pixel", "Sun, alpha 0.001", "f32", 0.5, 5e-8),
+    ]
 }
 
 /// A pixel of the polished case.

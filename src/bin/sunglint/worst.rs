@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::failure::Failure;
 use crate::key::in_order;
 use crate::options::Options;
+use crate::pixels::Truths;
 use crate::result::{Bound, KernelRow, PixelRow, Row};
 use crate::{directions, kernels, number, pixels, print, progress, repro, table};
 
@@ -63,11 +64,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// What was asked for, on all cores.
 pub fn rows(options: &Options, progress: &ProgressBar) -> Vec<Worst> {
-    let integrals = pixels::wanted(options).len();
-    let steps = directions::rows(options) + integrals + pixels::rows(options) + kernels::rows(options);
+    let cases = pixels::wanted(options).len();
+    let steps = directions::rows(options) + cases + pixels::rows(options) + kernels::rows(options);
     progress.set_length(steps as u64);
     let directions = directions::errors(options, progress);
-    let pixels = pixels::errors(options, progress);
+    let pixels = pixels::errors(&Truths::default(), options, progress);
     let kernels = kernels::errors(options, progress);
     let directions = directions.iter().map(|row| of_direction(row, options));
     let pixels = pixels.iter().map(|row| of_pixel(row, options));

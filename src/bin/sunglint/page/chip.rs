@@ -2,7 +2,7 @@
 
 use sunglint::trial::chip::{Core, Cost, RUSTC, Row};
 
-use super::cells::{self, cell, count, scientific, sortable, text};
+use super::cells::{self, cell, count, missing, scientific, sortable, text};
 use crate::chip::{self, ChipRow, PIXEL_CASE};
 use crate::number;
 use crate::result::Study;
@@ -54,6 +54,7 @@ pub fn all(study: &Study) -> String {
         cells::select("Function", "function", &names(|row| row.function)),
         cells::select("Format", "format", &names(|row| row.format)),
         cells::select("By", "by", &names(|row| row.by)),
+        cells::FIND.to_owned(),
     ];
     let lines: String = rows.iter().map(line).collect();
     let introduction = format!("{INTRODUCTION} {PIXEL_CASE}. A line without figures says why.</p>");
@@ -91,11 +92,6 @@ fn said(row: &ChipRow) -> String {
     let fails = row.failure().map(|why| format!("fails: {why}"));
     let note = Some(row.notes()).filter(|note| !note.is_empty() && row.failure() != Some(note));
     fails.into_iter().chain(note).collect::<Vec<_>>().join("; ")
-}
-
-/// A cell without a figure, which comes last in any order.
-fn missing() -> String {
-    cell(f64::NAN, "")
 }
 
 fn figure(value: Option<u32>) -> String {

@@ -1,16 +1,15 @@
 //! The sections of the page about the direction methods.
 
-use super::cells::{self, bits, cell, count, percent, scientific, sortable, text};
-use super::costs;
+use super::cells::{self, cell, sortable, text};
+use super::{costs, figures};
 use crate::author::is_ours;
 use crate::axis::Costs;
 use crate::chart::{self, under_light};
 use crate::direction_panel;
 use crate::error_kind::ErrorKind;
-use crate::key::in_order;
+use crate::key::{Key, in_order};
 use crate::number;
 use crate::result::{Row, Study};
-use crate::table;
 
 /// What the methods do.
 pub const METHODS: &str = "<p>All take the unit directions l to the light’s centre and r along the mirror \
@@ -51,7 +50,7 @@ const COUNTED: &str = "a call (the median of rays outside the disc, under the Su
 whose size changes constants, not the code)";
 
 /// The lights in the order of the rows.
-fn lights(study: &Study) -> Vec<String> {
+pub fn lights(study: &Study) -> Vec<String> {
     in_order(study.rows.iter().map(|row| &row.light))
 }
 
@@ -59,25 +58,40 @@ fn lights(study: &Study) -> Vec<String> {
 pub fn charts(study: &Study) -> String {
     let key = chart::direction_key(study);
     let lights = lights(study);
-    let kinds = ErrorKind::ALL.map(ErrorKind::name);
     let calls: Vec<_> = study.rows.iter().map(Row::call).collect();
     let offered = Costs::offered(&study.chip, &calls);
-    let choice =
-        [cells::select("Light", "light", &lights), cells::radio("Error", "kind", &kinds), costs::choice(&offered)];
-    let figure = |light: &String, kind: ErrorKind, costs: Costs| {
+    let choice = [
+        cells::select("Light", "light", &lights),
+        cells::radio("Error", "kind", &ErrorKind::CHARTS.map(ErrorKind::name)),
+        costs::choice(&offered),
+    ];
+    // Charts that are alike follow each other, so that they pack well.
+    let of_costs = |&costs| {
+        let of_kind = |kind| lights.iter().map(move |light| Shown { light, kind, costs }).collect::<Vec<_>>();
+        ErrorKind::CHARTS.into_iter().flat_map(of_kind).collect::<Vec<_>>()
+    };
+    let all: Vec<_> = offered.iter().flat_map(of_costs).collect();
+    cells::form(&choice.concat()) + &figures::shown(&all, |shown| shown.figure(study, &key))
+}
+
+/// What one chart shows.
+struct Shown<'a> {
+    light: &'a str,
+    kind: ErrorKind,
+    costs: Costs<'a>,
+}
+
+impl Shown<'_> {
+    fn figure(&self, study: &Study, key: &Key) -> String {
+        let Self { light, kind, costs } = *self;
         let rows = under_light(study.all_directions(), light);
         let name = format!("{}: {} error", chart::direction_title(light, costs.axis), kind.name());
-        let svg = chart::one_panel(&direction_panel::field(&rows, kind, costs), &key, &name);
+        let svg = chart::one_panel(&direction_panel::field(&rows, &study.anchors, kind, costs), key, &name);
         let calls: Vec<_> = rows.iter().filter(|row| is_ours(row.by)).map(|row| row.call()).collect();
         let caption = format!("{light}, {} error {}", kind.name(), kind.against());
         let caption = caption + &costs::caption(&costs, COUNTED, &calls);
-        cells::figure(&[("light", light), ("kind", kind.name()), ("axis", costs.axis.name())], &caption, &svg)
-    };
-    let of_light = |light| {
-        let kinds = offered.iter().flat_map(|costs| ErrorKind::ALL.map(|kind| (kind, *costs)));
-        kinds.map(|(kind, costs)| figure(light, kind, costs)).collect::<String>()
-    };
-    cells::form(&choice.concat()) + &lights.iter().map(of_light).collect::<String>()
+        figures::figure(&[("light", light), ("kind", kind.name()), ("axis", costs.axis.name())], &caption, &svg)
+    }
 }
 
 /// What the kinds of error are, and the two that the charts do not tell apart.
@@ -85,73 +99,6 @@ pub fn errors(study: &Study) -> String {
     let lights = lights(study);
     let models = model_errors(&study.rows, &lights);
     format!("{ERRORS}\n{models}\n{INPUTS}\n{}", input_errors(&study.rows, &lights))
-}
-
-/// The table of all rows, with its choice of a light.
-pub fn all(study: &Study) -> String {
-    measurements(&study.rows, &lights(study))
-}
-
-/// Every row, to be sorted by any column.
-fn measurements(rows: &[Row], lights: &[String]) -> String {
-    const COLUMNS: [&str; 20] = [
-        "light",
-        "method",
-        "format",
-        "cost",
-        "cost quartiles",
-        "arithmetic max, rad",
-        "in % of radius",
-        "arithmetic rms, rad",
-        "model max, rad",
-        "total max, rad",
-        "in % of radius",
-        "total rms, rad",
-        "outcome",
-        "frontier",
-        "tried",
-        "left out",
-        "no direction",
-        "worst at angle, rad",
-        "worst light, raw bits",
-        "worst mirror direction, raw bits",
-    ];
-    let line = |row: &Row| {
-        let class = if row.failure.is_some() { " class=\"fails\"" } else { "" };
-        format!("<tr{}{class}>{}</tr>\n", cells::data(&[("light", &row.light)]), line(row))
-    };
-    let lines: String = rows.iter().map(line).collect();
-    let choice = cells::form(&cells::select("Light", "light", &[lights, &[cells::ALL.to_owned()]].concat()));
-    format!("{choice}{}", sortable("measurements", &COLUMNS, &lines))
-}
-
-fn line(row: &Row) -> String {
-    let quartiles = format!("{} to {}", number::cost(row.cost_low), number::cost(row.cost_high));
-    let outcome = row.failure.as_ref().map_or("works".to_owned(), |why| format!("fails: {why}"));
-    let frontier = table::frontier(row);
-    [
-        text(&row.light),
-        text(&row.method),
-        text(&row.format),
-        cell(row.cost, &number::cost(row.cost)),
-        cell(row.cost_low, &quartiles),
-        scientific(row.error_max),
-        percent(row.error_max, row.theta),
-        scientific(row.error_rms),
-        scientific(row.model_max),
-        scientific(row.total_max),
-        percent(row.total_max, row.theta),
-        scientific(row.total_rms),
-        text(&outcome),
-        text(if frontier.is_empty() { "no" } else { frontier }),
-        count(row.samples),
-        count(row.excluded),
-        count(row.undirected),
-        scientific(row.worst_angle),
-        bits(&row.worst_l),
-        bits(&row.worst_r),
-    ]
-    .concat()
 }
 
 /// Worst model error of each method under each light.
@@ -195,14 +142,6 @@ fn greatest(rows: &[&Row], name: &str, part: impl Fn(&Row) -> (&String, f64)) ->
 mod tests {
     use super::*;
     use crate::sample;
-
-    #[test]
-    fn a_failure_is_said_in_words_and_bits_are_shown() {
-        let mut row = sample::row("epic", "f16", 1.0, f64::NAN);
-        row.failure = Some("NaN".to_owned());
-        let html = measurements(&[row.clone()], &[row.light.clone()]);
-        assert!(html.contains("fails: NaN") && html.contains(&row.worst_l));
-    }
 
     #[test]
     fn the_model_error_is_the_worst_over_the_formats() {

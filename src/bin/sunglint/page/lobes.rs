@@ -1,6 +1,7 @@
 //! The section of the page about whole highlights.
 
 use super::cells::{self, cell, scientific, sortable, text};
+use super::figures;
 use crate::key::in_order;
 use crate::lobe_chart;
 use crate::result::{LobeRow, Study};
@@ -24,9 +25,9 @@ pub fn all(study: &Study) -> String {
         cells::select("Incidence in degrees", "incidence", &incidences),
         cells::select("Alpha in the table", "alpha", &[vec![cells::ALL.to_owned()], alphas].concat()),
     ];
-    let figures =
-        lights.iter().flat_map(|light| incidences.iter().map(move |incidence| figure(rows, light, incidence)));
-    let figures: String = figures.collect();
+    let every: Vec<_> =
+        lights.iter().flat_map(|light| incidences.iter().map(move |incidence| (light, incidence))).collect();
+    let figures = figures::shown(&every, |(light, incidence)| figure(rows, light, incidence));
     let lines: String = rows.iter().map(line).collect();
     let nodes = rows.first().map_or(0, |row| row.nodes);
     format!(
@@ -43,7 +44,7 @@ fn figure(rows: &[LobeRow], light: &str, incidence: &str) -> String {
     let rows: Vec<_> = rows.iter().filter(here).collect();
     let caption = format!("{light} at {incidence} degrees: relative L1 against roughness; alpha 0 is a mirror");
     let svg = lobe_chart::l1(&rows, &caption);
-    cells::figure(&[("light", light), ("incidence", incidence)], &caption, &svg)
+    figures::figure(&[("light", light), ("incidence", incidence)], &caption, &svg)
 }
 
 fn line(row: &LobeRow) -> String {
@@ -53,7 +54,7 @@ fn line(row: &LobeRow) -> String {
         text(&row.light),
         cell(row.alpha, &alpha),
         cell(row.incidence.into(), &incidence),
-        text(&row.method),
+        cells::method(&row.method),
         ratio(row.energy),
         ratio(row.peak),
         scientific(row.relative_l1),

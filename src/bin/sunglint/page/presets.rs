@@ -1,6 +1,7 @@
 //! Failures that were reported, and their cures.
 
 use super::cells::{self, cell, escape, text};
+use super::figures;
 use crate::number;
 use crate::presets::{self, Preset, PresetRow, chart, shown};
 use crate::result::Study;
@@ -31,7 +32,7 @@ fn article(preset: &Preset, rows: &[PresetRow]) -> Option<String> {
             "{}: {} against {}; what is below {lowest} is drawn on the lower edge",
             axes.title, axes.measure, axes.input
         );
-        cells::figure(&[], &caption, &svg)
+        figures::figure(&[], &caption, &svg)
     });
     Some(format!(
         "<article id=\"preset-{name}\">\n<h3>{question}</h3>\n<p>Reported: {source}.</p>\n\

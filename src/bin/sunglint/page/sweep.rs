@@ -3,6 +3,7 @@
 mod chart;
 
 use super::cells::{self, cell, sortable, text};
+use super::figures;
 use crate::key::in_order;
 use crate::number;
 use crate::result::Study;
@@ -31,7 +32,7 @@ pub fn all(study: &Study) -> String {
     }
     let names: Vec<_> = rows.iter().map(case).collect();
     let cases = in_order(names.iter());
-    let figures: String = cases.iter().map(|case| figure(rows, case)).collect();
+    let figures = figures::shown(&cases, |case| figure(rows, case));
     let lines: String = Family::all(rows).iter().map(line).collect();
     let samples = [rows[0].samples, rows[rows.len() - 1].samples].map(number::count);
     format!(
@@ -57,7 +58,7 @@ fn case(row: &SweepRow) -> String {
 fn figure(rows: &[SweepRow], case: &str) -> String {
     let rows: Vec<_> = rows.iter().filter(|row| self::case(row) == case).collect();
     let caption = format!("Error against bits: {case}");
-    cells::figure(&[("case", case)], &caption, &chart::of_words(&rows, &caption))
+    figures::figure(&[("case", case)], &caption, &chart::of_words(&rows, &caption))
 }
 
 /// The fewest bits of a method in a family for each tolerance.

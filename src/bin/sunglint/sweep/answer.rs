@@ -11,7 +11,7 @@ use crate::author::OURS;
 use crate::axis::{Axis, Price};
 use crate::call::Call;
 use crate::chip::{self, PIXEL};
-use crate::clock::{self, Contender};
+use crate::clock::{self, Contender, Pace};
 use crate::options::Options;
 use crate::result::Study;
 use crate::{directions, pixels as pixel_rows};
@@ -119,9 +119,9 @@ fn contender(row: &SweepRow, question: &Question) -> Option<Contender> {
     let format = Format::ALL.into_iter().find(|format| Some(format.name()) == row.format)?;
     let direction = Method::ALL.into_iter().find(|method| method.name() == row.method);
     if let (Some(method), Goal::Edge | Goal::Direction) = (direction, question.goal) {
-        return Some(directions::contender(method, format, &question.light));
+        return Some(directions::contender(method, format, &question.light, Pace::Independent));
     }
     let method = Shading::ALL.into_iter().find(|method| method.name() == row.method)?;
     let case = Case { name: "", light: question.light.light, alpha: question.alpha };
-    Some(pixel_rows::contender(method, format, &case))
+    Some(pixel_rows::contender(method, format, &case, Pace::Independent))
 }

@@ -250,6 +250,8 @@ fn level<T: Real, H: Highlight<T>>(case: &Case, [n, v, l]: [[T; 3]; 3], method: 
 /// The errors of the formulas of [`HIGHLIGHTS`].
 pub fn models(light: Light, alpha: f64, options: &Options) -> [Found<9>; HIGHLIGHTS.len()] {
     let case = Case { name: "", light: light.light, alpha };
-    let all = gloss::models(&case, case.pixels(options.seed, samples(options)[2]), &Quadrature::<8>::new());
+    let rule = Quadrature::<8>::new();
+    let pixels = case.pixels(options.seed, samples(options)[2]);
+    let all = gloss::models(&case, pixels.map(|pixel| (pixel, gloss::integral::<f64, 8>(&case, &pixel, &rule))));
     HIGHLIGHTS.map(|method| all[method as usize])
 }
