@@ -31,9 +31,9 @@ whole highlight, and <code>karis</code> the cheap one. Tests parse and validate 
 the folder <code>snippets</code> next to this page, or print one by <code>sunglint snippet cap --language wgsl</code>. \
 Licence: MIT or Apache-2.0, as you like.</p>\n";
 
-const TABLES: &str = "<p>Pictures lie in the folder <code>pictures</code>. Numbers are decimals of f64, empty where there \
-is no figure, <code>NaN</code> or <code>inf</code> where a method gave no number. The same seed gives the same files byte \
-for byte, but for times.</p>\n";
+const TABLES: &str = "<p>Pictures lie in the folder <code>pictures</code>. Numbers are decimals of f64, empty where \
+there is no figure, <code>NaN</code> or <code>inf</code> where a method gave no number. The same seed gives the same \
+files byte for byte, but for times.</p>\n";
 
 /// The section; empty where there is nothing.
 pub fn all() -> String {
