@@ -350,7 +350,8 @@ mod tests {
             let names = fs::read_dir(folder).expect("entries").map(|entry| entry.expect("an entry").file_name());
             names.map(|name| name.into_string().expect("a name")).collect::<BTreeSet<_>>()
         };
-        let there = files().chain(["snippets"]).map(str::to_owned).collect();
+        let pictures = study().pictures.first().map(|_| "pictures");
+        let there = files().chain(["snippets"]).chain(pictures).map(str::to_owned).collect();
         assert_eq!(entries(folder.path().to_owned()), there);
         let snippets = snippets::ALL.iter().map(|snippet| snippet.file.to_owned()).collect();
         assert_eq!(entries(folder.path().join("snippets")), snippets);

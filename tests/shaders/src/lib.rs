@@ -32,7 +32,7 @@ pub fn hlsl_as_glsl(source: &str) -> String {
     words(source).into_iter().map(|piece| word(&piece)).collect()
 }
 
-/// GLSL without precisions, which naga neither reads at a function's arguments nor heeds; glslang reads the source whole.
+/// GLSL without precisions, which naga does not read at a function's arguments; glslang reads the source whole.
 pub fn without_precision(source: &str) -> String {
     words(source).into_iter().filter(|word| word != "mediump").collect()
 }

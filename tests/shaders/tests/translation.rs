@@ -130,6 +130,10 @@ fn glslang_takes_glsl_hlsl_and_what_naga_makes_of_wgsl() {
         for snippet in of(language) {
             let source = whole(language, snippet.source, stem(snippet));
             takes(language, &source).unwrap_or_else(|error| panic!("{}: {error}", snippet.file));
+            if language == Language::Glsl {
+                let embedded = source.replace("#version 450", "#version 310 es\nprecision highp float;");
+                takes(language, &embedded).unwrap_or_else(|error| panic!("{} in GLSL ES: {error}", snippet.file));
+            }
         }
     }
     for snippet in of(Language::Wgsl).filter(|snippet| stem(snippet) != "cap_half") {

@@ -24,14 +24,16 @@ const FILES: [(&str, &str); 16] = [
     ("pixels.svg", "Error against cost of a lit pixel."),
 ];
 
-const INTRODUCTION: &str = "<p>The recommended methods as source code, to paste: <code>cap</code> turns the light to the \
-point of its disc that the mirror ray sees, <code>cap_half</code> does so in f16, <code>disc_ggx dir</code> is the whole \
-highlight, and <code>karis</code> the cheap one. Tests parse and validate each and run it in f32 (<code>cap_half</code> \
-in f16) against the oracle; the HLSL is the GLSL in other words. Copy them here, take them from the folder <code>snippets</code> next to this page, or print one by \
-<code>sunglint snippet cap --language wgsl</code>. Licence: MIT or Apache-2.0, as you like.</p>\n";
+const INTRODUCTION: &str = "<p>The recommended methods as source code, to paste: <code>cap</code> turns the light to \
+the point of its disc that the mirror ray sees, <code>cap_half</code> does so in f16, <code>disc_ggx dir</code> is the \
+whole highlight, and <code>karis</code> the cheap one. Tests parse and validate each and run it in f32 \
+(<code>cap_half</code> in f16) against the oracle; the HLSL is the GLSL in other words. Copy them here, take them from \
+the folder <code>snippets</code> next to this page, or print one by <code>sunglint snippet cap --language wgsl</code>. \
+Licence: MIT or Apache-2.0, as you like.</p>\n";
 
-const TABLES: &str = "<p>Errors are in f64 decimals, empty where there is no figure, <code>NaN</code> or <code>inf</code> \
-where a method gave no number. The same seed gives the same files byte for byte, but for times.</p>\n";
+const TABLES: &str = "<p>Pictures lie in the folder <code>pictures</code>. Numbers are decimals of f64, empty where \
+there is no figure, <code>NaN</code> or <code>inf</code> where a method gave no number. The same seed gives the same \
+files byte for byte, but for times.</p>\n";
 
 /// The section; empty where there is nothing.
 pub fn all() -> String {

@@ -9,7 +9,7 @@
 //   f0       reflectance at normal incidence, 0 to 1
 //
 // Gives the radiance towards v over the illuminance on a plane that faces the light, in 1/sr, the cosine included; zero
-// while the light's centre is below the surface. In f32: a highp float.
+// while the light's centre is below the surface. In f32: highp in GLSL ES.
 vec3 disc_ggx(vec3 n, vec3 v, vec3 l, float w, float alpha, vec3 f0) {
     float n_dot_l = dot(n, l);
     float n_dot_v = dot(n, v);
