@@ -111,7 +111,7 @@ mod tests {
     fn proofs_count_where_the_error_is_the_same() {
         let of = |kernel: &str, unit: &str, format: Format| {
             let row = KernelRow { kernel: kernel.to_owned(), unit: unit.to_owned(), ..sample::kernel("f32", 1e-9) };
-            of_kernel(row, format, 7)
+            of_kernel(row, format, &Options::parse_from(["sunglint", "--seed", "7"]))
         };
         let sines = of("sin_cos", "absolute", Format::F32);
         assert_eq!((sines.bound, sines.bound_samples), (Bound::Exhaustive, 1_065_353_217));

@@ -231,7 +231,7 @@ mod tests {
     }
 
     fn render(size: u32, folder: PathBuf) -> Result<(), Failure> {
-        let options = Options { quiet: true, light: Some("area light 0.05".to_owned()), ..quick() };
+        let options = Options::parse_from(["sunglint", "--quick", "--quiet", "--light", "area light 0.05"]);
         run(&Arguments { options, size, to: Some(folder) })
     }
 
@@ -274,7 +274,7 @@ mod tests {
         render(8, folder.path().join("new")).expect("pictures");
         let files = std::fs::read_dir(folder.path().join("new")).expect("files").count();
         assert_eq!(files, 2 + 2 * Method::ALL.len() * Format::ALL.len());
-        let options = Options { light: Some("no such".to_owned()), ..quick() };
+        let options = Options::parse_from(["sunglint", "--quick", "--light", "no such"]);
         let failure = run(&Arguments { options, size: 8, to: None }).expect_err("no light");
         assert_eq!(failure.code(), 2);
     }

@@ -265,7 +265,7 @@ mod tests {
     #[test]
     fn the_command_of_a_pixel_gives_its_error_to_the_last_digit() {
         for options in studies() {
-            let rows = pixels::errors(&options, &ProgressBar::hidden());
+            let rows = pixels::errors(&pixels::Truths::default(), &options, &ProgressBar::hidden());
             assert_eq!(rows.len(), pixels::rows(&options));
             for row in rows {
                 let vectors = [row.worst_n.as_str(), &row.worst_v, &row.worst_l];

@@ -1,6 +1,6 @@
 //! Failures that were reported, and their cures.
 
-use super::cells::{self, cell, escape, text};
+use super::cells::{cell, escape, text};
 use super::figures;
 use crate::number;
 use crate::presets::{self, Preset, PresetRow, chart, shown};
