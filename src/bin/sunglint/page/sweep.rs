@@ -34,15 +34,14 @@ pub fn all(study: &Study) -> String {
     let cases = in_order(names.iter());
     let figures = figures::shown(&cases, |case| figure(rows, case));
     let lines: String = Family::all(rows).iter().map(line).collect();
-    let samples = [rows[0].samples, rows[rows.len() - 1].samples].map(number::count);
+    let samples = rows.iter().map(|row| row.samples);
+    let [least, most] = [samples.clone().min(), samples.max()].map(|samples| number::count(samples.unwrap_or(0)));
     format!(
         "{INTRODUCTION}\n{}{figures}\n<p>Fewest fraction bits, or digits of the significand, that are within 10, 1 and 0.1 per \
          cent, as are all longer words: of the radius at the worst, of a lit pixel’s value in the root mean square; \
-         in brackets the bits of a number in all. Tried on {} to {} inputs a word. <code>sunglint sweep</code> answers for \
+         in brackets the bits of a number in all. Tried on {least} to {most} inputs a word. <code>sunglint sweep</code> answers for \
          other lights, roughnesses and tolerances, with the cheapest format.</p>\n{}",
         cells::form(&cells::select("Light and surface", "case", &cases)),
-        samples.iter().min_by_key(|text| text.len()).map_or("", String::as_str),
-        samples.iter().max_by_key(|text| text.len()).map_or("", String::as_str),
         sortable("fewest-bits", &COLUMNS, &lines)
     )
 }

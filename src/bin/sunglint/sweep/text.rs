@@ -45,9 +45,12 @@ fn table(question: &Question, answer: &Answer) -> Table {
 fn line(family: &Family, question: &Question) -> [String; 5] {
     let goal = question.goal;
     let found = fewest(family, goal, question.tolerance);
+    // Some errors grow again, such as those right beside the opposite of the light where subnormals are flushed.
+    let some = goal.error(family.nearest(goal)) <= question.tolerance;
+    let none = if some { "not for good" } else { "none" };
     let (bits, width) = match found {
         Some(row) => (row.bits.to_string(), row.width.to_string()),
-        None => ("none".to_owned(), format!("best {}", family.nearest(goal).bits)),
+        None => (none.to_owned(), format!("best {}", family.nearest(goal).bits)),
     };
     let row = found.unwrap_or(family.nearest(goal));
     [family.first().method.clone(), family.name(), bits, width, error(goal, row)]
@@ -64,10 +67,8 @@ pub fn sentence(question: &Question, answer: &Answer) -> String {
     if let Some(Priced { row, price }) = answer.enough.first() {
         let (method, format) = (&row.method, &row.word);
         let error = goal.said(goal.error(row));
-        return format!(
-            "Cheapest {place} of the formats that are types: {method} in {format}, {error}; {}.",
-            price.said
-        );
+        let first = format!("Cheapest {place}: {method} in {format}, {error}; {}.", price.said);
+        return first + &next(answer, goal);
     }
     let Some(nearest) = answer.nearest(goal) else {
         return "No format was asked for.".to_owned();

@@ -6,7 +6,7 @@ use kuva::prelude::{Figure, Layout, LinePlot, LineStyle, MarkerShape, Plot, Scat
 use crate::chart;
 use crate::key::{Key, in_order};
 use crate::number;
-use crate::panel::{self, INK, LINE, LINE_DASHES, PAPER};
+use crate::panel::{self, INK, LINE, LINE_DASHES, PAPER, STEP};
 use crate::sweep::{Family, SweepRow};
 
 const PANEL: (f64, f64) = (400.0, 520.0);
@@ -60,7 +60,8 @@ fn range(rows: &[&SweepRow]) -> (f64, f64) {
 
 /// Lines to compare with, then the methods.
 fn drawn(rows: &[&SweepRow], key: &Key, bits: (f64, f64), range: (f64, f64)) -> Vec<Plot> {
-    let mut plots = vec![level(PER_CENT.log10(), bits, LINE)];
+    let mut plots = types(rows, range);
+    plots.push(level(PER_CENT.log10(), bits, LINE));
     for family in Family::all(rows.iter().copied()) {
         let first = family.first();
         if first.alpha.is_some() && first.exponent != NARROW {
@@ -98,15 +99,23 @@ fn method(family: &Family, key: &Key, range: (f64, f64)) -> Vec<Plot> {
         };
         plots.push(mark(colour, size));
         plots.extend(row.failure.is_some().then(|| mark(PAPER, size - 2.0)));
-        plots.extend(row.format.map(|name| label(name, place(row))));
     }
     plots
 }
 
-/// The name of a type above its mark.
-fn label(name: &str, at: (f64, f64)) -> Plot {
-    let text = ScatterPlot::new().with_data([at]).with_color("none").with_size(0.0).with_labels([name]);
-    Plot::Scatter(text.with_label_style(VolcanoLabelStyle::Exact))
+/// A line up to the name of each type, which stands above the panel.
+fn types(rows: &[&SweepRow], range: (f64, f64)) -> Vec<Plot> {
+    let mut named: Vec<_> = rows.iter().filter_map(|row| Some((row.format?, f64::from(row.bits)))).collect();
+    named.sort_by(|a, b| a.1.total_cmp(&b.1));
+    named.dedup();
+    let of_type = |(name, bits): (&str, f64)| {
+        let line =
+            LinePlot::new().with_data([(bits, range.0), (bits, range.1)]).with_color(STEP).with_stroke_width(0.8);
+        let text =
+            ScatterPlot::new().with_data([(bits, range.1)]).with_color("none").with_size(0.0).with_labels([name]);
+        [Plot::Line(line), Plot::Scatter(text.with_label_style(VolcanoLabelStyle::Exact))]
+    };
+    named.into_iter().flat_map(of_type).collect()
 }
 
 fn tooltip(row: &SweepRow) -> String {
@@ -168,7 +177,7 @@ mod tests {
     fn types_are_named_and_what_is_no_number_is_left_out() {
         let mut rows = sample::sweep();
         rows[1].edge_max = Some(f64::NAN);
-        let rows: Vec<_> = rows.iter().filter(|row| row.alpha.is_none()).collect();
+        let rows: Vec<_> = rows.iter().filter(|row| row.alpha.is_none() && row.family == "fixed").collect();
         let svg = of_words(&rows, "name");
         assert!(svg.contains(">I2F14<") && svg.contains("cap in Q14 in 16 bits (I2F14)"));
         assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("Q10 in"));
