@@ -50,7 +50,8 @@ pub fn both_errors(study: &Study) -> String {
 pub fn first_pixels(study: &Study) -> String {
     let Some(first) = study.pixels.first() else { return nothing() };
     let error = PixelError::default();
-    let mut field = pixel_panel::field(&of_case(study.all_pixels(), &first.case), &study.anchors, error, on_host(study));
+    let mut field =
+        pixel_panel::field(&of_case(study.all_pixels(), &first.case), &study.anchors, error, on_host(study));
     field.title = format!("{}: {}", first.case, field.title);
     one_panel(&field, &pixel_key(study), &pixel_title(&first.case, error, Axis::Host))
 }

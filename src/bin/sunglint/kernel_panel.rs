@@ -15,8 +15,11 @@ use crate::said;
 /// own, as a last place is, no format is more exact than another, and there is no frontier.
 pub fn field(rows: &[&KernelRow], mean: Mean, costs: Costs) -> Field {
     let priced = costs.priced(rows, KernelRow::call);
-    let standing =
-        |(row, price): &(&KernelRow, Price)| Standing { cost: price.cost, error: error(row, mean), works: failure(row).is_none() };
+    let standing = |(row, price): &(&KernelRow, Price)| Standing {
+        cost: price.cost,
+        error: error(row, mean),
+        works: failure(row).is_none(),
+    };
     let on_frontier = frontier::members(&priced, |_| String::new(), standing);
     let comparable = rows.iter().all(|row| row.unit != ULP);
     let [name, unit] = rows.first().map_or([""; 2], |row| [&row.kernel, &row.unit]);

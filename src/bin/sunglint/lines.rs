@@ -124,8 +124,9 @@ mod tests {
         let rows = [model("factored", 0.0046), model("epic", 0.0047), model("disc", 0.0039), model("cap", 1e-3)];
         let rows: Vec<_> = rows.iter().collect();
         let directions = direction_panel::field(&rows, &[], ErrorKind::Total, HOST);
-        let pixels = ["none", "karis", "karis/3", "exact_rp", "disc_ggx", "disc_ggx dir", "cone_ggx", "cone_ggx shifted"]
-            .map(|method| sample::pixel(method, "f32", 5.0, 1e-6));
+        let pixels =
+            ["none", "karis", "karis/3", "exact_rp", "disc_ggx", "disc_ggx dir", "cone_ggx", "cone_ggx shifted"]
+                .map(|method| sample::pixel(method, "f32", 5.0, 1e-6));
         let pixels = pixel_panel::field(&pixels.iter().collect::<Vec<_>>(), &[], PixelError::default(), HOST);
         for field in [directions, pixels] {
             let sheet = Sheet::new(&field.frame, &panel::layout(&field, chart::ALONE));

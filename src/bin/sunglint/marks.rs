@@ -79,7 +79,8 @@ mod tests {
     #[test]
     fn a_failure_is_labelled_and_crossed_out() {
         let mut row = sample::row("disc", "f16", 1.0, 0.03);
-        let point = |row: &crate::result::Row| direction_panel::field(&[row], &[], ErrorKind::Total, HOST).points.remove(0);
+        let point =
+            |row: &crate::result::Row| direction_panel::field(&[row], &[], ErrorKind::Total, HOST).points.remove(0);
         let key = Key::new([[&row.method, &row.format]].into_iter());
         assert_eq!(of(&point(&row), &key, (0.0, 0.0), SIZE).len(), 2);
         let failure = "disc lost".to_owned();

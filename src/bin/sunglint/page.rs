@@ -107,7 +107,12 @@ fn sections(study: &Study) -> Vec<Section> {
         section("pictures", Some("Pictures"), "Pictures: lit spheres, and where the error sits", pictures::all(study)),
         section("method-pages", Some("Every method"), "Every method", methods::all(study)),
         section("bits", Some("How many bits?"), "How many bits do I need?", sweep::all(study)),
-        section("presets", Some("Reported failures"), "Failures that were reported, and their cures", presets::all(study)),
+        section(
+            "presets",
+            Some("Reported failures"),
+            "Failures that were reported, and their cures",
+            presets::all(study),
+        ),
         section("take-away", Some("Take it away"), "Take it away: files, columns, source code", take_away::all()),
     ];
     sections.extend(more.into_iter().filter(|section| !section.content.is_empty()));
@@ -213,8 +218,7 @@ mod tests {
         let ids = between(" id=\"");
         assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len(), "{ids:?}");
         let links = between("href=\"#");
-        let missing: Vec<_> =
-            links.iter().filter(|link| !link.starts_with("method-") && !ids.contains(link)).collect();
+        let missing: Vec<_> = links.iter().filter(|link| !link.starts_with("method-") && !ids.contains(link)).collect();
         assert!(links.len() > 8 && missing.is_empty(), "{missing:?}");
     }
 

@@ -43,10 +43,10 @@ pub fn of_direction(row: &Row, chip: &[ChipRow]) -> String {
 /// All figures of a lit pixel.
 pub fn of_pixel(row: &PixelRow, chip: &[ChipRow]) -> String {
     let [max, rms, model_max, model_rms, total_max, total_rms] =
-        [row.error_max, row.error_rms, row.model_max, row.model_rms, row.total_max, row.total_rms].map(number::scientific);
+        [row.error_max, row.error_rms, row.model_max, row.model_rms, row.total_max, row.total_rms]
+            .map(number::scientific);
     let [p99, bias] = [row.error_p99, row.error_bias].map(number::scientific);
-    let [s8, r8, s10, r10] =
-        [row.steps8_max, row.steps8_rms, row.steps10_max, row.steps10_rms].map(number::scientific);
+    let [s8, r8, s10, r10] = [row.steps8_max, row.steps8_rms, row.steps10_max, row.steps10_rms].map(number::scientific);
     let mut lines = vec![
         name(&row.method, &row.format, row.by, row.failure.as_deref()),
         format!("arithmetic error: max {max}, rms {rms}"),
@@ -96,7 +96,8 @@ fn rests_on(worst: &str, on: Bound, samples: u64) -> String {
 fn costs(call: &Call, latency: Option<f64>, chip: &[ChipRow]) -> Vec<String> {
     let waits = latency.filter(|latency| latency.is_finite() && *latency > 0.0);
     let waits = waits.map(|latency| format!(", {} where each waits for the last", number::cost(latency)));
-    let host = call.host[0].is_finite().then(|| format!("cost {}{}", number::quartiles(call.host), waits.unwrap_or_default()));
+    let host =
+        call.host[0].is_finite().then(|| format!("cost {}{}", number::quartiles(call.host), waits.unwrap_or_default()));
     let count = |core: Core| {
         let price = Axis::Chip(core).price(chip, call)?;
         Some(format!("{} {}", core.name(), number::count(price.cost as u64)))

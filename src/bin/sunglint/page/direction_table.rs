@@ -134,7 +134,9 @@ mod tests {
     #[test]
     fn figures_and_commands_are_shown() {
         let html = line(&sample::row("cap", "f32", 1.0, 1e-7));
-        for shown in [">8.0e-8<", ">-1.0e-8<", ">0.30<", ">searched<", ">1.50<", "sunglint repro cap f32", "#method-cap"] {
+        for shown in
+            [">8.0e-8<", ">-1.0e-8<", ">0.30<", ">searched<", ">1.50<", "sunglint repro cap f32", "#method-cap"]
+        {
             assert!(html.contains(shown), "{shown}: {html}");
         }
     }

@@ -50,7 +50,8 @@ mod tests {
 
     #[test]
     fn the_first_figure_is_plain_and_the_others_are_packed() {
-        let html = shown(&[1, 2, 3], |item| if *item == 2 { String::new() } else { format!("<figure>{item}</figure>") });
+        let html =
+            shown(&[1, 2, 3], |item| if *item == 2 { String::new() } else { format!("<figure>{item}</figure>") });
         assert!(html.contains("<figure>1</figure>") && !html.contains("<figure>3"), "{html}");
         assert_eq!(pack::all_unpacked(&html), ["<figure>3</figure>"]);
     }

@@ -87,7 +87,9 @@ mod tests {
     #[test]
     fn the_summary_counts_what_there_is() {
         let html = summary(&sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]));
-        for part in ["Version 0.1.0, seed 1, quick run: 3 directions, 4 lit pixels", "3 building blocks", "sunglint --quick"] {
+        for part in
+            ["Version 0.1.0, seed 1, quick run: 3 directions, 4 lit pixels", "3 building blocks", "sunglint --quick"]
+        {
             assert!(html.contains(part), "{part}: {html}");
         }
         assert!(!summary(&sample::study(Vec::new())).contains(" directions"));

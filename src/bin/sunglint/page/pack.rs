@@ -92,7 +92,8 @@ mod tests {
 
     #[test]
     fn what_is_packed_comes_out_again() {
-        let html = "<p>è &amp; ü</p><g><title>one\ntwo</title></g><g><title>2; 3</title></g><g><title>one\ntwo</title>a</g>";
+        let html =
+            "<p>è &amp; ü</p><g><title>one\ntwo</title></g><g><title>2; 3</title></g><g><title>one\ntwo</title>a</g>";
         let page = format!("<div>{}</div>", packed(html));
         assert_eq!(all_unpacked(&page), [html]);
         assert!(!page.contains("one"));

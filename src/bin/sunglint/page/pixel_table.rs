@@ -110,7 +110,14 @@ mod tests {
     #[test]
     fn a_failure_and_the_steps_are_shown() {
         let html = line(&sample::pixel("karis/3", "f16", 90.0, f64::INFINITY));
-        for shown in ["class=\"fails\"", ">fails: NaN<", ">8.0<", ">sampled<", "#method-karis-3", "sunglint repro &#39;karis/3&#39;"] {
+        for shown in [
+            "class=\"fails\"",
+            ">fails: NaN<",
+            ">8.0<",
+            ">sampled<",
+            "#method-karis-3",
+            "sunglint repro &#39;karis/3&#39;",
+        ] {
             assert!(html.contains(shown), "{shown}: {html}");
         }
     }

@@ -35,7 +35,8 @@ pub fn all(study: &Study) -> String {
 /// The cheapest and the most exact of `rows` by some cost.
 fn line(rows: &[&Row], costs: Costs) -> String {
     let priced = costs.priced(rows, Row::call);
-    let works = |(row, price): &&(&Row, Price)| row.failure.is_none() && row.total_max.is_finite() && price.cost.is_finite();
+    let works =
+        |(row, price): &&(&Row, Price)| row.failure.is_none() && row.total_max.is_finite() && price.cost.is_finite();
     let by_cost = |a: &&(&Row, Price), b: &&(&Row, Price)| {
         a.1.cost.total_cmp(&b.1.cost).then(a.0.total_max.total_cmp(&b.0.total_max))
     };
@@ -49,9 +50,8 @@ fn line(rows: &[&Row], costs: Costs) -> String {
         Axis::Host => "this machine".to_owned(),
         Axis::Chip(core) => format!("Cortex-{}", core.name()),
     };
-    let cells = [cheapest, most_exact].map(|found| {
-        found.map_or_else(|| "<td>none</td>".to_owned(), |(row, price)| answer(row, price, costs.axis))
-    });
+    let cells = [cheapest, most_exact]
+        .map(|found| found.map_or_else(|| "<td>none</td>".to_owned(), |(row, price)| answer(row, price, costs.axis)));
     format!("<tr><th scope=\"row\">{on}</th>{}</tr>\n", cells.concat())
 }
 
@@ -113,7 +113,11 @@ mod tests {
         assert!(shown.contains(">cap] in f32: cost 1.00, error 0.0022 %</td>"), "{shown}");
         assert!(shown.contains(">disc] in f16 (disc lost)."), "{shown}");
         study.chip = vec![chip];
-        assert!(html(&study).contains("Cortex-M0+</th><td>[cap\">cap] in I2F14: 1\u{202f}000 instructions"), "{}", html(&study));
+        assert!(
+            html(&study).contains("Cortex-M0+</th><td>[cap\">cap] in I2F14: 1\u{202f}000 instructions"),
+            "{}",
+            html(&study)
+        );
     }
 
     #[test]

@@ -31,8 +31,8 @@ const SIGNS: [(&str, &str); 9] = [
     (
         "<path d=\"M12 4.5L15.9 6.75V11.25L12 13.5L8.1 11.25V6.75Z\" fill=\"#0072b2\"/>\
          <path d=\"M12 6.5L14.2 7.75V10.25L12 11.5L9.8 10.25V7.75Z\" fill=\"#ffffff\"/>",
-        "<strong>small and hollow, ideal</strong>: the true answer rounded into the format, at the cost of an empty call (on a \
-         microcontroller at the left edge, without a cost): nothing can do better",
+        "<strong>small and hollow, ideal</strong>: the true answer rounded into the format, at the cost of an empty call (at the \
+         left edge where that is not known, or far off): nothing can do better",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#9a9a9a\"/>",
@@ -55,7 +55,9 @@ const SIGNS: [(&str, &str); 9] = [
 /// The whole section.
 pub fn all() -> String {
     let item = |(drawing, meaning): &(&str, &str)| {
-        format!("<li><svg viewBox=\"0 0 24 18\" width=\"24\" height=\"18\" aria-hidden=\"true\">{drawing}</svg><span>{meaning}.</span></li>\n")
+        format!(
+            "<li><svg viewBox=\"0 0 24 18\" width=\"24\" height=\"18\" aria-hidden=\"true\">{drawing}</svg><span>{meaning}.</span></li>\n"
+        )
     };
     let items: String = SIGNS.iter().map(item).collect();
     format!("{INTRODUCTION}\n<ul class=\"signs\">\n{items}</ul>\n<p>{}</p>", required::SAID)
