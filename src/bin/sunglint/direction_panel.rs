@@ -26,8 +26,9 @@ pub fn field(rows: &[&Row], anchors: &[AnchorRow], kind: ErrorKind, costs: Costs
     let lines = lines(&rows, kind, theta);
     let shown: &[ErrorKind] = if ErrorKind::ALL.contains(&kind) { &ErrorKind::ALL } else { &[kind] };
     let errors = rows.iter().flat_map(|row| shown.iter().map(|kind| kind.worst(row)));
-    let errors = errors.chain(lines.iter().map(|line| line.error)).chain(anchors.iter().map(|anchor| anchor.error));
+    let errors = errors.chain(lines.iter().map(|line| line.error));
     let paid = priced.iter().map(|(_, price)| price.cost).chain(anchors.iter().filter_map(|anchor| anchor.cost));
+    let frame = Frame::new(costs.axis, paid, errors).with_lane();
     Field {
         title: format!("Worst {} error", kind.name()),
         subtitle: subtitle(kind, costs.axis),
@@ -40,9 +41,9 @@ pub fn field(rows: &[&Row], anchors: &[AnchorRow], kind: ErrorKind, costs: Costs
         }
         .to_owned(),
         per_cent: (kind != ErrorKind::Edge).then(|| ("error in % of the light's angular radius".to_owned(), theta)),
-        frame: Frame::new(costs.axis, paid, errors).with_lane(),
+        frame,
         points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, kind, member, costs)).collect(),
-        anchors,
+        anchors: anchors.into_iter().filter(|anchor| frame.holds(anchor.error)).collect(),
         lines,
     }
 }

@@ -59,7 +59,7 @@ pub struct Point {
 pub struct Anchor {
     /// What its colour stands for.
     pub format: String,
-    /// What an empty call costs; on a core it stands at the left edge.
+    /// What an empty call costs; on a core that is not known, and it stands at the left edge.
     pub cost: Option<f64>,
     /// How high it stands.
     pub error: f64,

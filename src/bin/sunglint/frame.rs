@@ -54,6 +54,11 @@ impl Frame {
         logarithm(self.axis, cost).clamp(self.x.0, self.x.1)
     }
 
+    /// Whether `error` is a number within the panel.
+    pub fn holds(&self, error: f64) -> bool {
+        error.is_finite() && (self.y.0..=self.y.1).contains(&error.log10())
+    }
+
     /// Place of `error` up the chart. Zero lies on the lower edge, whatever is no number in the strip.
     pub fn up(&self, error: f64) -> f64 {
         if error.is_finite() { error.log10().max(self.y.0) } else { (self.y.1 + self.top) / 2.0 }

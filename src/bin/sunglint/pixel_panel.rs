@@ -19,14 +19,12 @@ use crate::said;
 pub fn field(rows: &[&PixelRow], anchors: &[AnchorRow], error: PixelError, costs: Costs) -> Field {
     let priced = costs.priced(rows, PixelRow::call);
     let rows: Vec<_> = priced.iter().map(|(row, _)| *row).collect();
-    let (lines, anchors) = (lines(&rows, error), anchored(&rows, anchors, error, costs.axis));
+    let lines = lines(&rows, error);
     let errors = rows.iter().map(|row| error.of(row)).chain(lines.iter().map(|line| line.error));
-    let errors = errors.chain(anchors.iter().map(|anchor| anchor.error));
-    let paid = priced.iter().map(|(_, price)| price.cost).chain(anchors.iter().filter_map(|anchor| anchor.cost));
-    let frame = Frame::new(costs.axis, paid, errors);
+    let frame = Frame::new(costs.axis, priced.iter().map(|(_, price)| price.cost), errors);
     let on_frontier = frontier::members(&priced, |_| String::new(), |(row, price)| error.standing(row, price.cost));
     Field {
-        title: format!("{} {} of a lit pixel", error.mean.adjective(), error.kind.said()),
+        title: title(error),
         subtitle: subtitle(error),
         call: "pixel",
         axis: costs.axis,
@@ -35,8 +33,20 @@ pub fn field(rows: &[&PixelRow], anchors: &[AnchorRow], error: PixelError, costs
         per_cent: None,
         frame: if lines.is_empty() { frame } else { frame.with_lane() },
         points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, error, member, costs)).collect(),
-        anchors,
+        // They are far off, so that the axes do not reach for them.
+        anchors: anchored(&rows, anchors, error, costs.axis)
+            .into_iter()
+            .filter(|anchor| frame.holds(anchor.error))
+            .collect(),
         lines,
+    }
+}
+
+fn title(error: PixelError) -> String {
+    let mean = error.mean.adjective();
+    match error.kind.is_steps() {
+        true => format!("{mean} error of a lit pixel in {}", error.kind.name()),
+        false => format!("{mean} {} of a lit pixel", error.kind.said()),
     }
 }
 
@@ -148,8 +158,9 @@ mod tests {
             let field = field(&[&row], &sample::anchors(), error, HOST);
             field.anchors.into_iter().map(|anchor| (anchor.cost, anchor.error)).collect()
         };
-        assert_eq!(anchors(PixelError::default()), [(Some(0.5), 2e-8)]);
-        assert_eq!(anchors(PixelError { kind: PixelKind::Arithmetic, mean: Mean::Max }), [(Some(0.5), 5e-8)]);
+        assert_eq!(anchors(PixelError { kind: PixelKind::Arithmetic, mean: Mean::Rms }), [(Some(0.5), 5e-6 * 0.4)]);
+        assert!(anchors(PixelError::default()).is_empty(), "it is far below");
+        assert_eq!(anchors(PixelError { kind: PixelKind::Arithmetic, mean: Mean::Max }), [(Some(0.5), 5e-6)]);
         assert!(anchors(PixelError { kind: PixelKind::Steps8, mean: Mean::Max }).is_empty());
     }
 }

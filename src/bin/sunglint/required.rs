@@ -20,7 +20,7 @@ const ROOT: f64 = 2.0;
 
 /// What the page says of them.
 pub const SAID: &str = "GLES <em>mediump</em> is a relative error of 2<sup>−10</sup>, <em>lowp</em> an absolute one of \
-2<sup>−8</sup>. Vulkan allows sin and cos an absolute error of 2<sup>−11</sup> (32 bits) or 2<sup>−7</sup> (16 bits), \
+2<sup>−8</sup>. Vulkan (VK) allows sin and cos an absolute error of 2<sup>−11</sup> (32 bits) or 2<sup>−7</sup> (16 bits), \
 and inversesqrt 2 ULP.";
 
 /// What a line is at the height of `error`.
@@ -36,8 +36,8 @@ pub fn of_shading() -> [Line; 2] {
 /// Lines for the building block `name`, whose error is in `unit`.
 pub fn of_kernel(name: &str, unit: &str) -> Vec<Line> {
     match (name, unit) {
-        ("sin_cos", _) => vec![line(SINE_16, "Vulkan f16"), line(SINE_32, "Vulkan f32")],
-        (name, ULP) if name.contains("root") => vec![line(ROOT, "Vulkan")],
+        ("sin_cos", _) => vec![line(SINE_16, "VK f16"), line(SINE_32, "VK f32")],
+        (name, ULP) if name.contains("root") => vec![line(ROOT, "VK")],
         (_, ULP) => Vec::new(),
         _ => vec![line(MEDIUMP, "mediump")],
     }

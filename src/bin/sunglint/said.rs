@@ -1,7 +1,5 @@
 //! What a mark says when pointed at: all figures of its row, whatever the chart shows.
 
-use sunglint::trial::chip::Core;
-
 use crate::author::{self, is_peer};
 use crate::axis::Axis;
 use crate::call::Call;
@@ -95,16 +93,9 @@ fn rests_on(worst: &str, on: Bound, samples: u64) -> String {
 /// What is known of the costs: time with its quartiles, and instructions on each core.
 fn costs(call: &Call, latency: Option<f64>, chip: &[ChipRow]) -> Vec<String> {
     let waits = latency.filter(|latency| latency.is_finite() && *latency > 0.0);
-    let waits = waits.map(|latency| format!(", {} where each waits for the last", number::cost(latency)));
-    let host =
-        call.host[0].is_finite().then(|| format!("cost {}{}", number::quartiles(call.host), waits.unwrap_or_default()));
-    let count = |core: Core| {
-        let price = Axis::Chip(core).price(chip, call)?;
-        Some(format!("{} {}", core.name(), number::count(price.cost as u64)))
-    };
-    let counts: Vec<_> = Core::ALL.into_iter().filter_map(count).collect();
-    let counts = (!counts.is_empty()).then(|| format!("instructions: {}", counts.join(", ")));
-    host.into_iter().chain(counts).collect()
+    let waits = waits.map(|latency| format!("cost {} where each call waits for the last", number::cost(latency)));
+    let [host, cores @ ..] = Axis::ALL.map(|axis| axis.price(chip, call).map(|price| price.said));
+    [host, waits].into_iter().chain(cores).flatten().collect()
 }
 
 #[cfg(test)]
@@ -123,8 +114,8 @@ mod tests {
             "99 % within 8.0e-8 rad, bias -1.0e-8 rad",
             "edge of the disc: max 0.30 % of the radius, rms 0.10 %",
             "worst known: 1.1e-7 rad, searched over 1\u{202f}000\u{202f}000 inputs",
-            "cost 1.00 (0.98 to 1.02), 1.50 where each waits for the last",
-            "instructions: M0+ 4\u{202f}700, M4F 130",
+            "cost 1.00 (0.98 to 1.02)\ncost 1.50 where each call waits for the last",
+            "instructions on M0+: 4\u{202f}700 outside the disc\ninstructions on M4F: 130 outside the disc",
         ] {
             assert!(said.contains(part), "{part}: {said}");
         }

@@ -112,7 +112,7 @@ pub fn anchors() -> [AnchorRow; 3] {
     [
         anchor("direction", "Sun from Earth", "f32", 0.25, 3e-8),
         anchor("direction", "Sun from Earth", "I2F14", 0.25, 3e-5),
-        anchor("pixel", "Sun, alpha 0.001", "f32", 0.5, 5e-8),
+        anchor("pixel", "Sun, alpha 0.001", "f32", 0.5, 5e-6),
     ]
 }
 

@@ -81,7 +81,7 @@ fn failing(rows: &[&Row]) -> String {
             let format = author::said(&row.format, row.by);
             cells::escape(&format!("{format} ({})", row.failure.as_deref().unwrap_or_default()))
         };
-        format!("{} in {}", link(method), rows.map(|row| said(row)).collect::<Vec<_>>().join(", "))
+        format!("{} in {}", link(method), rows.map(said).collect::<Vec<_>>().join(", "))
     };
     let methods: Vec<_> = in_order(failed.iter().map(|row| &row.method)).iter().map(of_method).collect();
     match methods.is_empty() {
