@@ -28,7 +28,9 @@ pub fn table(study: &Study, subject: Subject, measured: &[Measurement]) -> Strin
             formats.push(one);
         }
     }
-    let lines: String = formats.iter().map(|one| line(study, one, measured)).collect();
+    let whole = formats.iter().map(|one| line(study, one, measured));
+    let alone = formats.iter().filter_map(|one| alone(study, subject, one));
+    let lines: String = whole.chain(alone).collect();
     let table = sortable(&format!("costs-{}", slug(subject.name())), &COLUMNS, &lines);
     format!("<h5>Cost</h5>\n<p>{}</p>\n{table}\n", introduction(subject, measured))
 }
@@ -58,7 +60,18 @@ fn line(study: &Study, one: &Measurement, measured: &[Measurement]) -> String {
     let same = || measured.iter().filter(|other| (other.format, other.by) == (one.format, one.by));
     let time = median(same().map(|other| other.call.host[0]));
     let latency = median(same().map(|other| other.latency).filter(|latency| *latency > 0.0));
-    let counted = counted(study, one);
+    cells(&one.said(), [time, latency], &counted(study, &one.call.function, one))
+}
+
+/// The line of a highlight by itself, which is counted beside the whole pixel; none where it is not.
+fn alone(study: &Study, subject: Subject, one: &Measurement) -> Option<String> {
+    let Subject::Highlight(shading) = subject else { return None };
+    let counted = counted(study, shading.name(), one);
+    let name = format!("{}, the highlight alone", one.said());
+    (!counted.is_empty()).then(|| cells(&name, [f64::NAN; 2], &counted))
+}
+
+fn cells(name: &str, times: [f64; 2], counted: &[&ChipRow]) -> String {
     let cost = |value: f64| if value.is_nan() { missing() } else { cell(value, &number::cost(value)) };
     let on_smallest = |part: fn(Cost) -> [u32; 2]| {
         let figures = counted.iter().find_map(|row| row.count.on(Core::M0)).map(part);
@@ -68,21 +81,18 @@ fn line(study: &Study, one: &Measurement, measured: &[Measurement]) -> String {
         })
     };
     let cells = [
-        text(&one.said()),
-        cost(time),
-        cost(latency),
-        Core::ALL.map(|core| instructions(&counted, core)).concat(),
+        text(name),
+        times.map(cost).concat(),
+        Core::ALL.map(|core| instructions(counted, core)).concat(),
         on_smallest(|cost| [cost.text, cost.rodata]),
         on_smallest(|cost| [cost.stack, 0]),
     ];
     format!("<tr>{}</tr>\n", cells.concat())
 }
 
-/// The counts of what was measured, from outside the disc to inside.
-fn counted<'a>(study: &'a Study, one: &Measurement) -> Vec<&'a ChipRow> {
-    let same = |row: &&ChipRow| {
-        [row.count.function, row.count.format, row.count.by] == [one.call.function.as_str(), one.format, one.by]
-    };
+/// The counts of `function` in the format and by the code of `one`, from outside the disc to inside.
+fn counted<'a>(study: &'a Study, function: &str, one: &Measurement) -> Vec<&'a ChipRow> {
+    let same = |row: &&ChipRow| [row.count.function, row.count.format, row.count.by] == [function, one.format, one.by];
     let mut rows: Vec<_> = study.chip.iter().filter(same).collect();
     rows.sort_by_key(|row| row.count.case == "inside");
     rows
@@ -108,7 +118,7 @@ pub fn median(values: impl Iterator<Item = f64>) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use sunglint::trial::Method;
+    use sunglint::trial::{Method, Shading};
 
     use super::*;
     use crate::sample;
@@ -131,5 +141,16 @@ mod tests {
         let html = table(&study, cap, &measured);
         let figures = ["1.50", "4\u{202f}700 / 2\u{202f}500", "2\u{202f}600 / 1\u{202f}300", "900 + 192", ">100<"];
         assert!(figures.iter().all(|figure| html.contains(figure)), "{html}");
+    }
+
+    #[test]
+    fn a_highlight_by_itself_has_a_line_where_it_is_counted() {
+        let mut study = sample::methods_study();
+        let karis = Subject::Highlight(Shading::Karis);
+        let said = |study: &Study| table(study, karis, &karis.measurements(study));
+        assert!(!said(&study).contains("alone"));
+        study.chip.push(sample::count("karis", "f32", "outside", [Some(1234), None, None]));
+        let html = said(&study);
+        assert!(html.contains("f32, the highlight alone") && html.contains("1\u{202f}234"), "{html}");
     }
 }

@@ -12,7 +12,7 @@ pub fn table(study: &Study, subject: Subject, measured: &[Measurement]) -> Strin
     let under = subject.conditions();
     let shown: &[&str] = if under.is_empty() { &[] } else { &[under] };
     let unit = measured.first().map_or("", |one| one.unit);
-    let input = if under.is_empty() { "worst input" } else { "worst input, raw bits" };
+    let input = if under.is_empty() { "worst input here" } else { "worst input here, raw bits" };
     let rest = [
         "format",
         &format!("worst, {unit}"),
@@ -23,12 +23,16 @@ pub fn table(study: &Study, subject: Subject, measured: &[Measurement]) -> Strin
         "how known",
         "inputs",
         input,
-        "computes it again",
+        "computes the worst known again",
     ];
     let columns = [shown, &rest].concat();
     let lines: String = measured.iter().map(|one| line(subject, one, study.seed)).collect();
     let table = sortable(&format!("worst-{}", slug(subject.name())), &columns, &lines);
-    format!("<h5>Worst inputs</h5>\n{table}\n")
+    format!(
+        "<h5>Worst inputs</h5>\n<p class=\"note\">The worst, the 99th percentile and the bias, above zero where {}, are of \
+         this run; the worst known and how many inputs it took may be of a longer search.</p>\n{table}\n",
+        sign(subject)
+    )
 }
 
 fn line(subject: Subject, one: &Measurement, seed: u64) -> String {
@@ -47,6 +51,15 @@ fn line(subject: Subject, one: &Measurement, seed: u64) -> String {
         again(one.repro),
     ];
     format!("<tr{class}>{}</tr>\n", cells.concat())
+}
+
+/// What a positive bias says.
+fn sign(subject: Subject) -> &'static str {
+    match subject {
+        Subject::Direction(_) | Subject::Soft => "answers lie too far from the light’s centre",
+        Subject::Highlight(_) | Subject::PixelQ14 => "pixels are too bright",
+        Subject::Block(_) => "answers are too great",
+    }
 }
 
 /// What the worst known error rests on, in words.
