@@ -48,7 +48,7 @@ pub struct Picture {
     pub subject: &'static str,
     /// Name of the method; of the truth `truth`, of a sheet `all`.
     pub method: String,
-    /// Name of the number format, or of the failing form; of the truth `f64`, of a sheet `all`.
+    /// Name of the number format, or of the failing form; of the truth that of its vectors, of a sheet `all`.
     pub format: String,
     /// What it shows.
     pub kind: Kind,
@@ -178,7 +178,8 @@ fn all_of(album: Album, plan: Plan) -> Vec<Picture> {
         let title = format!("{what} under {}: as computed, and the error beneath", album.of);
         let name = format!("{}s", album.subject);
         let name = if plan.named { format!("{}-{name}", album::slug(&album.of)) } else { name };
-        sheet(name, album.subject, title.clone(), &contact::of_album(&album, &title))
+        let caption = format!("{title}. {}", album.note);
+        sheet(name, album.subject, caption, &contact::of_album(&album, &title))
     });
     album.pictures.into_iter().chain(sheet).collect()
 }
@@ -205,7 +206,8 @@ fn failures(options: &Options, side: u32, progress: &ProgressBar) -> Vec<Picture
     if side <= SHEET_SIDE && spheres.len() > 1 {
         let title = "Failures and their cures, under the Sun from Earth";
         let raster = contact::of_failures(&spheres, side, title);
-        pictures.push(sheet("failures".to_owned(), "failure", title.to_owned(), &raster));
+        let caption = format!("{title}. {}", contact::FAILURES);
+        pictures.push(sheet("failures".to_owned(), "failure", caption, &raster));
     }
     pictures
 }

@@ -12,7 +12,7 @@ use super::lit;
 use super::patch::Patch;
 use super::raster::Raster;
 use super::sphere::{RADII, Sphere};
-use super::{Kind, Picture};
+use super::{Kind, Picture, SHEET_SIDE};
 use crate::number;
 use crate::options::Options;
 use crate::workers;
@@ -58,15 +58,15 @@ pub struct Tile {
     pub method: &'static str,
     /// Name of the format.
     pub format: &'static str,
-    /// The sphere as it was computed, and its errors.
-    pub rasters: [Raster; 2],
+    /// The sphere as it was computed, and its errors; kept only for a contact sheet.
+    pub rasters: Option<[Raster; 2]>,
     /// What its pixels come to.
     pub figures: Figures,
 }
 
 /// What of a sphere is seen, for captions.
 fn extent(patch: &Patch, across: &str) -> String {
-    if patch.is_whole() { "the whole sphere".to_owned() } else { format!("{across}; the bar is the light’s radius") }
+    if patch.is_whole() { "the whole sphere".to_owned() } else { format!("{across}; the bar is the light's radius") }
 }
 
 /// How many spheres the directions of a light are.
@@ -103,9 +103,11 @@ pub fn directions(light: &Light, plan: Plan, progress: &ProgressBar) -> Option<A
     });
     let truth = Sphere::mirror::<f64>(light, plan.side, |l, r| oracle::nearest_in_disc(l, r, theta));
     let caption = format!("{scene}, as it is: white where the mirror ray meets the disc.");
-    let note = "A pixel is white where the method's answer is the mirror ray itself, which it is on the light's disc. \
-                Truth: the disc's nearest point at the directions as rounded into the format.";
-    Some(album(("direction", light.name, PER_CENT, note.to_owned()), (truth.truth(), caption), drawn, plan))
+    let note = format!(
+        "A mirror sphere, {seen}. A pixel is white where the method's answer is the mirror ray itself, which it is on \
+         the light's disc. Truth: the disc's nearest point at the directions as rounded into the format."
+    );
+    Some(album(("direction", light.name, PER_CENT, note), (truth.truth(), Format::F64.name(), caption), drawn, plan))
 }
 
 struct Mirror<'a> {
@@ -144,19 +146,22 @@ pub fn pixels(case: &Case, plan: Plan, progress: &ProgressBar) -> Option<Album> 
         progress.set_message(format!("pictures, {}, {} in {}", case.name, method.name(), format.name()));
         let truth = truths.iter().find(|(of, _)| *of == format).map(|(_, truth)| truth)?;
         let sphere = format.visit(lit::Drawing { method, case, side: plan.side, truth });
-        Some((format, tile("pixel", [method.name(), format.name()], &RELATIVE, &sphere, &scene), sphere.truth()))
+        // The first format is the most exact one; one of its spheres shows the truth.
+        let shown = ((method, format) == items[0]).then(|| sphere.truth());
+        Some((tile("pixel", [method.name(), format.name()], &RELATIVE, &sphere, &scene), shown))
     });
-    let drawn: Vec<_> = drawn.into_iter().flatten().collect();
-    let shown = drawn.iter().find(|(format, ..)| *format == Format::F64).or(drawn.first())?.2.clone();
+    let (drawn, shown): (Vec<_>, Vec<_>) = drawn.into_iter().flatten().unzip();
+    let shown = shown.into_iter().flatten().next()?;
     let floor = truths.iter().map(|(_, truth)| truth.floor).fold(0.0, f64::max);
     let note = format!(
-        "Truth: the BRDF integrated over the disc at the vectors as rounded into the format. Twice the nodes move it \
-         by {} at most: what is below that is the truth's own error.",
+        "A sphere of albedo {ALBEDO} and reflectance {F0}, {seen}. Truth: the BRDF integrated over the disc at the \
+         vectors as rounded into the format. Twice the nodes move it by {} at most: what is below that is the truth's \
+         own error.",
         number::scientific(floor)
     );
     let caption = format!("{scene}, as it is: the BRDF integrated over the disc.");
-    let tiles = drawn.into_iter().map(|(_, tile, _)| tile).collect();
-    Some(album(("pixel", case.name, RELATIVE, note), (shown, caption), tiles, plan))
+    let format = items[0].1.name();
+    Some(album(("pixel", case.name, RELATIVE, note), (shown, format, caption), drawn, plan))
 }
 
 /// A tile and its two pictures, which have no light in their names yet.
@@ -184,12 +189,13 @@ fn tile(
         picture(Kind::Lit, &rasters[0], format!("{scene}, by {method} in {format}: {said}.")),
         picture(Kind::Error, &rasters[1], format!("The error of {method} in {format}. {scene}: {said}.")),
     ];
-    (Tile { method, format, rasters, figures }, pictures)
+    let small = rasters[0].size[0] <= SHEET_SIDE;
+    (Tile { method, format, rasters: small.then_some(rasters), figures }, pictures)
 }
 
 fn album(
     (subject, of, scale, note): (&'static str, &str, Scale, String),
-    (truth, caption): (Raster, String),
+    (truth, format, caption): (Raster, &str, String),
     drawn: Vec<(Tile, [Picture; 2])>,
     plan: Plan,
 ) -> Album {
@@ -198,7 +204,7 @@ fn album(
         name: format!("{subject}-truth"),
         subject,
         method: "truth".to_owned(),
-        format: "f64".to_owned(),
+        format: format.to_owned(),
         kind: Kind::Truth,
         caption,
         size: truth.size,

@@ -18,6 +18,12 @@ const LEGEND: u32 = 58;
 /// Width of the words beside a failure, in letters.
 const WORDS: u32 = 46;
 
+/// What is to be known about the sheet of failures.
+pub const FAILURES: &str = "Of directions a pixel is white where the answer is the mirror ray itself, which it is on \
+     the light's disc. Bars are the light's radius. Of surfaces white is the brightest pixel of the truth, which is the \
+     exact value of the same formula (of rounded normals, before they were rounded); of the one seen from farther off \
+     white is a white surface that faces the Sun.";
+
 /// Methods in rows, formats in columns, the truth first.
 pub fn of_album(album: &Album, title: &str) -> Raster {
     let side = album.truth.size[0];
@@ -44,9 +50,10 @@ pub fn of_album(album: &Album, title: &str) -> Raster {
 
 /// The sphere, its errors beneath, and the words.
 fn of_tile(sheet: &mut Raster, [x, y]: [u32; 2], tile: &Tile, scale: &Scale) {
-    let side = tile.rasters[0].size[1];
-    sheet.lay([x, y], &tile.rasters[0]);
-    sheet.lay([x, y + side + GAP / 2], &tile.rasters[1]);
+    let Some([computed, error]) = &tile.rasters else { return };
+    let side = computed.size[1];
+    sheet.lay([x, y], computed);
+    sheet.lay([x, y + side + GAP / 2], error);
     let unit = if scale.most == 2 { " %" } else { "" };
     let [worst, rms] = tile.figures.lines(unit);
     let below = y + 2 * side + GAP;
@@ -59,12 +66,7 @@ fn of_tile(sheet: &mut Raster, [x, y]: [u32; 2], tile: &Tile, scale: &Scale) {
 pub fn of_failures(drawn: &[(&Failing, [Sphere; 2])], side: u32, title: &str) -> Raster {
     let pitch = [side + GAP, side + 2 * LINE];
     let width = 2 * MARGIN + 5 * pitch[0] + WORDS * LETTER;
-    let notes = wrapped(
-        "Of directions a pixel is white where the answer is the mirror ray itself, which it is on the light's disc. \
-         Bars are the light's radius. Of surfaces white is the brightest pixel of the truth, which is the exact value \
-         of the same formula; of the one seen from farther off it is a white surface that faces the Sun.",
-        (width - 2 * MARGIN) / LETTER,
-    );
+    let notes = wrapped(FAILURES, (width - 2 * MARGIN) / LETTER);
     let head = MARGIN + 4 * LINE;
     let foot = head + drawn.len() as u32 * pitch[1];
     let mut sheet = Raster::blank([width, foot + LEGEND + notes.len() as u32 * LINE + MARGIN]);

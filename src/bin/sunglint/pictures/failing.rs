@@ -63,9 +63,9 @@ impl Failing {
     pub fn sentence(&self, spheres: &[Sphere; 2]) -> String {
         let [fails, cured] = [0, 1].map(|place| {
             let Form { format, what } = &self.forms[place];
-            format!("{what} in {format}: {}", (self.sense)(&Figures::of(&spheres[place])))
+            format!("({what} in {format}): {}", (self.sense)(&Figures::of(&spheres[place])))
         });
-        format!("{}. Fails, {fails}. Cured, {cured}.", self.title)
+        format!("{}. It fails {fails}. Cured {cured}.", self.title)
     }
 
     /// As it fails, the truth, the error, and the cure with its error.

@@ -32,7 +32,7 @@ pub fn lost(figures: &Figures) -> String {
     let shares: Vec<_> = shares.into_iter().flatten().collect();
     match shares.is_empty() {
         true => format!("no pixel is off by a tenth, worst error {} %", per_cent(figures.worst)),
-        false => format!("of the pixels {}", shares.join(", ")),
+        false => shares.join(", ").replacen(" % ", " % of the pixels ", 1),
     }
 }
 
