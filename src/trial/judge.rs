@@ -144,7 +144,9 @@ fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at
     }
     sum.model_max = sum.model_max.max(model);
     sum.total_max = sum.total_max.max(total);
-    if oracle::angle_between(l, r) <= (10.0 * light.angular_radius()).min(core::f64::consts::FRAC_PI_2) {
+    // A point has no disc to lose.
+    let is_disc = light.angular_radius() > 0.0;
+    if is_disc && oracle::angle_between(l, r) <= (10.0 * light.angular_radius()).min(core::f64::consts::FRAC_PI_2) {
         sum.disc_lost = sum.disc_lost.max(error / light.angular_radius());
     }
 }

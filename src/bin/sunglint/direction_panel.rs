@@ -22,11 +22,11 @@ pub fn field(rows: &[&Row], kind: ErrorKind, costs: Costs) -> Field {
         call: "call",
         axis: costs.axis,
         error_axis: "error in radians".to_owned(),
-        per_cent: Some(("error in % of the light's angular radius".to_owned(), theta)),
+        per_cent: (theta > 0.0).then(|| ("error in % of the light's angular radius".to_owned(), theta)),
         frame: Frame::new(costs.axis, priced.iter().map(|(_, price)| price.cost), errors),
         points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, kind, member)).collect(),
         // Named in the legend.
-        lines: vec![Line { error: theta, name: String::new() }],
+        lines: (theta > 0.0).then(|| Line { error: theta, name: String::new() }).into_iter().collect(),
     }
 }
 
