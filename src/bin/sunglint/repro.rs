@@ -165,7 +165,7 @@ fn measures(light: &DistantLight) -> String {
 fn in_radii(angle: f64, light: &DistantLight) -> String {
     let radii = angle / light.angular_radius();
     match radii {
-        radii if !radii.is_finite() => String::new(),
+        radii if !radii.is_finite() || radii == 0.0 => String::new(),
         radii if radii < 0.01 => format!(", {radii:.3e} radii of the light"),
         radii => format!(", {radii:.4} radii of the light"),
     }
