@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use std::thread;
+use std::time::Duration;
 
 fn sunglint(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sunglint"));
@@ -98,6 +99,37 @@ fn a_list_has_everything_and_a_reader_may_leave() {
     assert_eq!(child.wait().expect("an end").code(), Some(0));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disc_is_told() {
+    let full = fs::File::create("/dev/full").expect("a device");
+    let Output { status, stderr, .. } = sunglint(&["list"]).stdout(full).output().expect("the tool runs");
+    assert_eq!(status.code(), Some(1));
+    assert_eq!(String::from_utf8_lossy(&stderr), "sunglint: cannot write to standard output\n");
+}
+
+/// Each of these leaves out tables, charts and sections.
+#[test]
+fn filters_that_leave_little_still_make_a_page() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("text");
+    for filters in [
+        &["--method", "versine", "--format", "f64"][..],
+        &["--method", "normalize", "--light", "mars"],
+        &["--method", "cap", "--format", "f16", "--ratio", "0"],
+        &["--method", "disc", "--format", "I2F30", "--angle", "360"],
+        &["--method", "karis", "--format", "f32", "--alpha", "0"],
+    ] {
+        printed(&[&["--quick", "--quiet", "--out", out], filters].concat());
+        let page = fs::read_to_string(folder.path().join("report.html")).expect("a page");
+        assert!(page.contains(&format!("<code>sunglint --quick {}</code>", filters.join(" "))), "{filters:?}");
+        for chart in ["chart.svg", "chips.svg", "pixels.svg"] {
+            let chart = fs::read_to_string(folder.path().join(chart)).expect("a chart");
+            assert!(chart.contains("<svg ") && !chart.contains("NaN\"") && !chart.contains("\"inf"), "{filters:?}");
+        }
+    }
+}
+
 #[test]
 fn a_folder_that_is_a_file_is_named() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -186,27 +218,57 @@ fn the_same_seed_gives_the_same_files_but_for_times() {
     assert!(rows(&one).contains("ratio 0.01;") && rows(&one) != rows(&other), "another seed");
 }
 
-/// Ctrl-C to a run that has come as far as `until` says, which has to leave what `folder` held.
+/// Ctrl-C to a run: its exit code and last words.
 #[cfg(unix)]
-fn interrupted(folder: &Path, until: impl FnOnce(&std::process::Child)) {
-    let before = files(folder);
-    let out = folder.to_str().expect("text");
-    let mut child =
-        sunglint(&["--out", out]).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the tool runs");
-    until(&child);
+fn interrupt(child: std::process::Child) -> (Option<i32>, String) {
     let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill");
     assert!(sent.success());
-    let status = child.wait().expect("an end");
-    let lines = BufReader::new(child.stderr.take().expect("messages")).lines().map_while(Result::ok);
-    assert_eq!(lines.last().as_deref(), Some("sunglint: interrupted; what was there before is as it was"));
-    assert_eq!(status.code(), Some(130));
-    assert_eq!(files(folder), before);
+    let Output { status, stderr, .. } = child.wait_with_output().expect("an end");
+    let message = String::from_utf8_lossy(&stderr).lines().last().unwrap_or_default().to_owned();
+    (status.code(), message)
+}
+
+#[cfg(unix)]
+const INTERRUPTED: &str = "sunglint: interrupted; what was there before is as it was";
+
+#[cfg(unix)]
+fn begun(arguments: &[&str]) -> std::process::Child {
+    sunglint(arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the tool runs")
 }
 
 #[cfg(unix)]
 #[test]
-fn ctrl_c_leaves_an_earlier_report_as_it_was_and_nothing_else() {
+fn ctrl_c_while_measuring_leaves_an_earlier_report_as_it_was_and_nothing_else() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("report.html"), "an earlier one").expect("a file");
-    interrupted(folder.path(), |_| std::thread::sleep(std::time::Duration::from_millis(700)));
+    let before = files(folder.path());
+    let child = begun(&["--out", folder.path().to_str().expect("text")]);
+    thread::sleep(Duration::from_millis(500));
+    assert_eq!(interrupt(child), (Some(130), INTERRUPTED.to_owned()));
+    assert_eq!(files(folder.path()), before);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_while_writing_leaves_all_old_files_or_all_new_ones() {
+    let folder = tempfile::tempdir().expect("a folder");
+    small(folder.path(), "1");
+    let before = files(folder.path());
+    let out = folder.path().to_str().expect("text");
+    let child = begun(&["--quick", "--method", "cap", "--method", "disc", "--quiet", "--out", out]);
+    let staged = |entry: fs::DirEntry| entry.file_name().to_string_lossy().starts_with(".sunglint-");
+    for _ in 0..20_000 {
+        if fs::read_dir(folder.path()).expect("a folder").flatten().any(staged) {
+            break;
+        }
+        thread::sleep(Duration::from_millis(1));
+    }
+    let (code, message) = interrupt(child);
+    let after = files(folder.path());
+    assert!(!after.keys().any(|name| name.starts_with('.')), "{:?}", after.keys());
+    match code {
+        Some(130) if message == INTERRUPTED && after == before => {}
+        // It came too late: where files have been renamed, all of them are.
+        _ => assert!(code == Some(0) && after["report.html"] != before["report.html"], "{code:?} {message}"),
+    }
 }

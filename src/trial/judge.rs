@@ -166,7 +166,8 @@ fn add<T: Real>(sum: &mut Judgement<T>, method: Method, light: &DistantLight, at
     sum.model_max = sum.model_max.max(model);
     sum.total_max = sum.total_max.max(total);
     let away = oracle::angle_between(l, r);
-    let near = away <= (10.0 * theta).min(core::f64::consts::FRAC_PI_2);
+    // A point has no disc to lose.
+    let near = theta > 0.0 && away <= (10.0 * theta).min(core::f64::consts::FRAC_PI_2);
     if near {
         let edge = libm::fabs(out - away.min(theta)) / theta;
         sum.disc_lost = sum.disc_lost.max(error / theta);

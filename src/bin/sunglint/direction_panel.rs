@@ -40,7 +40,7 @@ pub fn field(rows: &[&Row], anchors: &[AnchorRow], kind: ErrorKind, costs: Costs
             "error in radians"
         }
         .to_owned(),
-        per_cent: (kind != ErrorKind::Edge).then(|| ("error in % of the light's angular radius".to_owned(), theta)),
+        per_cent: (kind != ErrorKind::Edge && theta > 0.0).then(|| ("error in % of the light's angular radius".to_owned(), theta)),
         frame,
         points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, kind, member, costs)).collect(),
         anchors: anchors.into_iter().filter(|anchor| frame.holds(anchor.error)).collect(),

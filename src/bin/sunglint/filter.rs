@@ -14,6 +14,7 @@ use sunglint::{DistantLight, LightError, SUN};
 use crate::chip::PIXEL;
 use crate::failure::Failure;
 use crate::kernel::Kernel;
+use crate::number;
 
 /// What is measured: all of it where nothing is named.
 #[derive(Args, Clone, Debug)]
@@ -37,13 +38,13 @@ pub struct Filter {
 
     /// A light of your own in place of the study's: radius over distance, 0 to 1
     ///
-    /// Lit pixels and highlights need more than 0.
+    /// Lit pixels and highlights need 1e-6 or more.
     #[arg(long, value_name = "X", value_parser = by_ratio, allow_negative_numbers = true, conflicts_with = "angle")]
     pub ratio: Option<Light>,
 
     /// The same by its diameter in the sky in degrees, 0 to 360 (UsdLux angle)
     ///
-    /// Lit pixels and highlights take more than 0, up to 180.
+    /// Lit pixels and highlights take 1.15e-4 to 180.
     #[arg(long, value_name = "DEG", value_parser = by_angle, allow_negative_numbers = true)]
     pub angle: Option<Light>,
 
@@ -123,15 +124,15 @@ impl Filter {
         let formats = self.format.iter().map(|format| format!(" --format {}", format.name()));
         let light = self.light.iter().map(|name| format!(" --light {}", quoted(name)));
         let own = self.own().into_iter().map(|own| format!(" --{}", own.name));
-        let alpha = self.alpha.into_iter().map(|alpha| format!(" --alpha {alpha}"));
+        let alpha = self.alpha.into_iter().map(|alpha| format!(" --alpha {}", number::shortest(alpha)));
         methods.chain(formats).chain(light).chain(own).chain(alpha).collect()
     }
 }
 
 /// That `light` lights no pixels.
 pub fn without_pixels(light: Light) -> Failure {
-    let range = "allowed is a ratio above 0 to 1, or an angle above 0 to 180";
-    Failure::Usage(format!("{} cannot light a roughness: for lit pixels and highlights, {range}", light.name))
+    let range = format!("allowed is a ratio of {LEAST_RATIO:e} to 1, which is an angle of 1.15e-4 to 180 degrees");
+    Failure::Usage(format!("{} cannot light a roughness: for lit pixels and highlights {range}", light.name))
 }
 
 /// `name` as a shell takes it for one word.
@@ -146,12 +147,15 @@ pub fn quoted(name: &str) -> String {
 
 /// A surface of a roughness under `light`.
 pub fn case(light: Light, alpha: f64) -> Case {
-    Case { name: kept(format!("{}, alpha {alpha}", light.name)), light: light.light, alpha }
+    Case { name: kept(format!("{}, alpha {}", light.name, number::shortest(alpha))), light: light.light, alpha }
 }
+
+/// The least radius over distance that the integrals over a disc are summed for.
+const LEAST_RATIO: f64 = 1e-6;
 
 /// Whether there is a truth of what it lights: it looks as a sphere does, at most half the sky, and is no point.
 pub fn has_pixels(light: &DistantLight) -> bool {
-    light.cos() >= 0.0 && light.sin() > 0.0
+    light.cos() >= 0.0 && light.sin() >= LEAST_RATIO
 }
 
 /// Names of all methods, building blocks and quantities.
@@ -181,29 +185,29 @@ pub fn format_name() -> impl TypedValueParser<Value = Format> {
 
 /// Takes a light by its radius over distance.
 pub fn by_ratio(typed: &str) -> Result<Light, String> {
-    let ratio = number(typed)?;
+    let ratio = parsed(typed)?;
     own_light("ratio", ratio, DistantLight::from_ratio(ratio))
 }
 
 /// Takes a light by its diameter in degrees.
 pub fn by_angle(typed: &str) -> Result<Light, String> {
-    let angle = number(typed)?;
+    let angle = parsed(typed)?;
     own_light("angle", angle, DistantLight::from_angle(angle))
 }
 
 fn own_light(kind: &str, value: f64, light: Result<DistantLight, LightError>) -> Result<Light, String> {
     let light = light.map_err(|error| error.to_string())?;
-    Ok(Light { name: kept(format!("{kind} {value}")), light })
+    Ok(Light { name: kept(format!("{kind} {}", number::shortest(value))), light })
 }
 
 /// Takes a GGX width.
 pub fn width(typed: &str) -> Result<f64, String> {
-    let alpha = number(typed)?;
+    let alpha = parsed(typed)?;
     let material = Material::new([0.0; 3], alpha, [0.0; 3]);
     material.map(|_| alpha).map_err(|error: MaterialError| error.to_string())
 }
 
-fn number(typed: &str) -> Result<f64, String> {
+fn parsed(typed: &str) -> Result<f64, String> {
     typed.parse().map_err(|_| "not a number".to_owned())
 }
 
@@ -288,6 +292,7 @@ mod tests {
         assert!(!options.wants("Sun from Earth") && !options.wants("ratio 0.015"));
         let names: Vec<_> = options.cases().iter().map(|case| case.name).collect();
         assert_eq!(names, ["ratio 0.01, alpha 0.001", "ratio 0.01, alpha 0.0625", "ratio 0.01, alpha 1"]);
+        assert_eq!(Options::parse_from(["sunglint", "--ratio", "1e-300"]).lights()[0].name, "ratio 1e-300");
         let wide = Options::parse_from(["sunglint", "--angle", "200"]);
         assert!(wide.cases().is_empty() && wide.lights().len() == 1);
     }

@@ -10,7 +10,8 @@ use crate::{presets, snippets};
 
 /// All of it, as `sunglint list` prints it.
 pub fn text() -> String {
-    let first = |sentences: &'static str| sentences.split_once(". The error").map_or(sentences, |(first, _)| first);
+    let before = |text: &'static str, end: &str| text.split_once(end).map_or(text, |(before, _)| before);
+    let first = |sentences| before(before(sentences, ". The error"), ", with its");
     let lights = lights::STUDY.map(|light| (light.name, format!("ratio {}", light.light.sin())));
     let cases = CASES.map(|case| (case.name, format!("ratio {}", case.light.sin())));
     let snippets = snippets::ALL.iter().map(|snippet| (snippet.method, format!("{:?}", snippet.language)));
@@ -103,6 +104,6 @@ mod tests {
             let about = |line: &str| line.trim_start().strip_prefix(&quoted(name)).is_some_and(|about| about.len() > 8);
             assert!(text.lines().any(about), "{name}\n{text}");
         }
-        assert!(text.lines().all(|line| line.chars().count() <= 130), "{text}");
+        assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
     }
 }

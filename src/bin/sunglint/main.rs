@@ -71,6 +71,7 @@ mod worst;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
@@ -83,6 +84,10 @@ fn main() -> ExitCode {
     interrupt::heed();
     let Cli { command, options } = Cli::parse();
     match done(command.unwrap_or(Command::Chart(options))) {
+        Ok(()) if LOST.load(Ordering::Relaxed) => {
+            let _ = writeln!(io::stderr(), "sunglint: cannot write to standard output");
+            ExitCode::FAILURE
+        }
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure::Usage(message)) => Cli::command().error(ErrorKind::InvalidValue, message).exit(),
         Err(failure) => {
@@ -137,7 +142,15 @@ pub fn progress(options: &Options) -> ProgressBar {
     bar
 }
 
-/// Prints a line. A reader that has gone away, such as `head`, is no reason to lose the files.
+/// Whether output was lost for another reason than that its reader has gone away.
+static LOST: AtomicBool = AtomicBool::new(false);
+
+/// Prints a line. A reader that has gone away, such as `head`, is no failure, and a full disc no reason to lose the
+/// files that are still to be written.
 pub fn print(text: &str) {
-    let _ = writeln!(io::stdout().lock(), "{text}");
+    let mut out = io::stdout().lock();
+    let written = writeln!(out, "{text}").and_then(|()| out.flush());
+    if written.is_err_and(|error| error.kind() != io::ErrorKind::BrokenPipe) {
+        LOST.store(true, Ordering::Relaxed);
+    }
 }

@@ -14,6 +14,12 @@ pub fn scientific(value: f64) -> String {
     }
 }
 
+/// As few digits as tell it from its neighbours; with a power of ten where they would stand behind many zeros.
+pub fn shortest(value: f64) -> String {
+    let plain = value == 0.0 || !value.is_finite() || (1e-4..1e15).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
+}
+
 /// `value` to two significant digits.
 pub fn two_digits(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)

@@ -164,7 +164,11 @@ fn measures(light: &DistantLight) -> String {
 /// An angle in units of the light's radius, which a point has none of.
 fn in_radii(angle: f64, light: &DistantLight) -> String {
     let radii = angle / light.angular_radius();
-    if radii.is_finite() { format!(", {radii:.4} radii of the light") } else { String::new() }
+    match radii {
+        radii if !radii.is_finite() || radii == 0.0 => String::new(),
+        radii if radii < 0.01 => format!(", {radii:.3e} radii of the light"),
+        radii => format!(", {radii:.4} radii of the light"),
+    }
 }
 
 /// What of a budget an error uses up.
@@ -212,7 +216,7 @@ fn asked(light: &str) -> String {
 mod tests {
     use super::*;
     use crate::options::{Cli, Command};
-    use crate::{directions, kernels, pixels, worst};
+    use crate::{directions, kernels, number, pixels, worst};
     use clap::Parser;
     use indicatif::ProgressBar;
 
@@ -257,7 +261,7 @@ mod tests {
                 let Subject::Direction(direction) = subject(&command) else { panic!("{command}") };
                 let computed = direction.computed();
                 assert_eq!(computed.error.to_bits(), row.error_max.to_bits(), "{command}");
-                assert!(direction.text().contains(&format!("{:e}", row.error_max)), "{}", direction.text());
+                assert!(direction.text().contains(&number::shortest(row.error_max)), "{}", direction.text());
             }
         }
     }
@@ -331,7 +335,7 @@ mod tests {
                         true => format!("--r '{bits}'"),
                         false => format!("--n '{bits}' --v '{bits}' --alpha 0"),
                     };
-                    for light in ["", "--ratio 1e-30", "--ratio 1"] {
+                    for light in ["", "--ratio 1e-6", "--ratio 1"] {
                         match subject(&format!("sunglint repro '{method}' {name} {light} --l '{bits}' {vectors}")) {
                             Subject::Direction(direction) => assert!(!direction.text().is_empty()),
                             Subject::Pixel(pixel) => assert!(!pixel.text().is_empty()),

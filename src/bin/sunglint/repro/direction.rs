@@ -5,6 +5,8 @@ use sunglint::oracle::{angle_between, nearest_in_disc};
 use sunglint::trial::lights::BUDGETED;
 use sunglint::trial::{Constants, Format, Light, Method, Visitor, budget};
 
+use crate::number::shortest;
+
 use super::{in_radii, lanes, measures, used};
 
 /// A method's input in a format under a light.
@@ -79,14 +81,15 @@ impl Direction {
         let lines = [
             format!("{} in {} under {name}: {}\n", method.name(), format.name(), measures(&light)),
             format!("{}\n", table.trim_fmt()),
-            format!("from l to r       {apart:e} rad{}", in_radii(apart, &light)),
+            format!("from l to r       {} rad{}", shortest(apart), in_radii(apart, &light)),
             format!(
-                "arithmetic error  {error:e} rad, {:.3} steps of {} below 1 ({step:e})",
+                "arithmetic error  {} rad, {:.3} steps of {} below 1",
+                shortest(error),
                 error / step,
                 format.name()
             ),
-            format!("model error       {model:e} rad{}", in_radii(model, &light)),
-            format!("total error       {total:e} rad{}", in_radii(total, &light)),
+            format!("model error       {} rad{}", shortest(model), in_radii(model, &light)),
+            format!("total error       {} rad{}", shortest(total), in_radii(total, &light)),
             used(error, self.budget(), " rad"),
             self.left_out().to_owned(),
         ];

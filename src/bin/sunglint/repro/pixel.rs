@@ -12,6 +12,8 @@ use sunglint::trial::gloss::{self, ALBEDO, CASES, Case, F0};
 use sunglint::trial::{Format, Make, Shading, ShadingVisitor, Visitor};
 use sunglint::{Real, Scalar};
 
+use crate::number::shortest;
+
 use super::{in_radii, lanes, measures, used};
 
 /// A method's input in a format in a case.
@@ -108,10 +110,14 @@ impl LitPixel {
             format!("{} in {}, {}: {}", method.name(), format.name(), case.name, measures(&case.light)),
             format!("albedo {ALBEDO}, reflectance {F0} at normal incidence, illuminance pi: white is 1\n"),
             format!("{}\n", table.trim_fmt()),
-            format!("mirror ray to l   {away:e} rad{}", in_radii(away, &case.light)),
-            format!("arithmetic error  {error:e} of the pixel, {:.3} ULP", (value - truth).abs() / self.ulp(truth)),
-            format!("model error       {:e} of the pixel", (truth / integral - 1.0).abs()),
-            format!("total error       {:e} of the pixel", (value / integral - 1.0).abs()),
+            format!("mirror ray to l   {} rad{}", shortest(away), in_radii(away, &case.light)),
+            format!(
+                "arithmetic error  {} of the pixel, {:.3} ULP",
+                shortest(error),
+                (value - truth).abs() / self.ulp(truth)
+            ),
+            format!("model error       {} of the pixel", shortest((truth / integral - 1.0).abs())),
+            format!("total error       {} of the pixel", shortest((value / integral - 1.0).abs())),
             used(error, self.budget(), " of the pixel"),
         ];
         lines.join("\n")
