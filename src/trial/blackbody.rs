@@ -115,12 +115,7 @@ fn held<T: Real>(value: f64) -> T::Scalar {
 }
 
 /// The errors that `add` adds at `count` random inputs, the logarithm of each spread evenly between two ends.
-fn found<const N: usize>(
-    seed: u64,
-    count: usize,
-    ends: [[f64; 2]; N],
-    add: impl Fn(&mut Found, [f64; N]),
-) -> Found {
+fn found<const N: usize>(seed: u64, count: usize, ends: [[f64; 2]; N], add: impl Fn(&mut Found, [f64; N])) -> Found {
     let mut source = Rand64::new(u128::from(seed));
     let mut found = Found::new();
     for _ in 0..count {

@@ -43,8 +43,7 @@ fn prove(name: &str) {
             continue;
         }
         assert!(worst.error <= kernel.bound && worst.error >= kernel.bound / 4.0, "{worst:x?}");
-        let record =
-            proofs().find(|record| record.kernel == name && record.format == kernel.format).unwrap();
+        let record = proofs().find(|record| record.kernel == name && record.format == kernel.format).unwrap();
         assert_eq!([count(kernel), worst.bits], [record.inputs, record.bits], "{name} in {}", kernel.format);
         assert_eq!(digits(worst.error), digits(record.error), "{name} in {}", kernel.format);
     }
@@ -59,7 +58,13 @@ fn recorded_worst_cases_are_as_recorded_and_bounds_are_tight() {
         let error = (kernel.error)(record.bits).abs();
         assert_eq!(digits(error), digits(record.error), "{} in {}", kernel.name, kernel.format);
         assert!(error <= kernel.bound && error >= kernel.bound / 4.0, "{} in {}: {error}", kernel.name, kernel.format);
-        assert_eq!((record.bound, record.inputs), (kernel.bound, count(kernel)), "{} in {}", kernel.name, kernel.format);
+        assert_eq!(
+            (record.bound, record.inputs),
+            (kernel.bound, count(kernel)),
+            "{} in {}",
+            kernel.name,
+            kernel.format
+        );
     }
     assert_eq!([proofs().count(), TABLE.lines().count() - 1], [kernels.len(); 2]);
 }

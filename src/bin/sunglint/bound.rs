@@ -42,9 +42,11 @@ pub fn of_pixel(row: PixelRow) -> PixelRow {
 /// The worst of this run, of all inputs, or of a search.
 pub fn of_kernel(row: KernelRow, format: Format, seed: u64) -> KernelRow {
     let repro = repro::of_kernel(&row.kernel, format.name(), seed);
-    let (bound, known, samples) = proved(&row, format)
-        .or_else(|| normalized(&row, format))
-        .unwrap_or((Bound::Sampled, row.error_max, row.samples));
+    let (bound, known, samples) = proved(&row, format).or_else(|| normalized(&row, format)).unwrap_or((
+        Bound::Sampled,
+        row.error_max,
+        row.samples,
+    ));
     let samples = if bound == Bound::Searched { samples + row.samples } else { samples };
     KernelRow { bound, bound_max: known.max(row.error_max), bound_samples: samples, repro, ..row }
 }
@@ -81,7 +83,10 @@ mod tests {
     fn a_search_knows_of_worse_than_a_run() {
         let row = under(Method::Cap, 0, 1e-9);
         let record = searched(Method::Cap, Format::F32, &lights::STUDY[0]).expect("a record");
-        assert_eq!((row.bound, row.bound_max, row.bound_samples), (Bound::Searched, record.error, record.judged + 1000));
+        assert_eq!(
+            (row.bound, row.bound_max, row.bound_samples),
+            (Bound::Searched, record.error, record.judged + 1000)
+        );
         assert!(row.repro.contains(&bits(Format::F32, &record.at.pair.l)), "{}", row.repro);
         assert!(record.judged > 100_000, "{record:?}");
     }

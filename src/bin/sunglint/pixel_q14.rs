@@ -80,7 +80,11 @@ fn contender(case: &Case) -> Contender {
 pub fn waiting(case: &Case) -> Contender {
     let levels: Vec<_> = inputs().into_iter().map(|[[x, ..], _]| u32::from(x.unsigned_abs())).collect();
     let read = |&level: &u32| level.into();
-    Contender { inputs: levels.len(), call: chain(inputs(), calls(case), read), empty: chain(levels, |&level| level, read) }
+    Contender {
+        inputs: levels.len(),
+        call: chain(inputs(), calls(case), read),
+        empty: chain(levels, |&level| level, read),
+    }
 }
 
 /// Normal and viewer.

@@ -46,7 +46,9 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         bound: Bound::Searched,
         bound_max: error * 1.1,
         bound_samples: 870_000,
-        repro: format!("sunglint repro {method} {format} --light 'Sun from Earth' --l '3f800000 0 0' --r '3f800000 0 0'"),
+        repro: format!(
+            "sunglint repro {method} {format} --light 'Sun from Earth' --l '3f800000 0 0' --r '3f800000 0 0'"
+        ),
         ..Row::default()
     }
 }
