@@ -229,7 +229,9 @@ mod tests {
         for case in &CASES {
             for format in Format::ALL {
                 for method in Shading::ALL {
-                    [Pace::Independent, Pace::Waiting].map(|pace| (contender(method, format, case, pace).call)());
+                    for pace in [Pace::Independent, Pace::Waiting] {
+                        (contender(method, format, case, pace).call)();
+                    }
                 }
             }
         }
