@@ -40,7 +40,8 @@ pub fn field(rows: &[&Row], anchors: &[AnchorRow], kind: ErrorKind, costs: Costs
             "error in radians"
         }
         .to_owned(),
-        per_cent: (kind != ErrorKind::Edge && theta > 0.0).then(|| ("error in % of the light's angular radius".to_owned(), theta)),
+        per_cent: (kind != ErrorKind::Edge && theta > 0.0)
+            .then(|| ("error in % of the light's angular radius".to_owned(), theta)),
         frame,
         points: priced.iter().zip(on_frontier).map(|(priced, member)| point(priced, kind, member, costs)).collect(),
         anchors: anchors.into_iter().filter(|anchor| frame.holds(anchor.error)).collect(),
@@ -63,7 +64,8 @@ fn lines(rows: &[&Row], kind: ErrorKind, theta: f64) -> Vec<Line> {
     let sizes = [size(1.0, "radius"), size(0.01, "1 % of radius")];
     let models = if kind == ErrorKind::Total { models(rows) } else { Vec::new() };
     let required = if kind == ErrorKind::Edge { Vec::new() } else { required::of_shading().into() };
-    sizes.into_iter().chain(models).chain(required).collect()
+    // A point has no radius.
+    sizes.into_iter().chain(models).chain(required).filter(|line| line.error > 0.0).collect()
 }
 
 /// The model error of each method that has one.

@@ -1,12 +1,15 @@
 //! Errors and costs of whole lit pixels: every highlight method in every format, on a surface under a light.
 
-use std::cell::RefCell;
+mod judged;
+mod truths;
+
+pub use judged::Judged;
+pub use truths::Truths;
 
 use indicatif::ProgressBar;
 use sunglint::Real;
 use sunglint::highlight::Highlight;
 use sunglint::oracle::highlight::Pixel;
-use sunglint::oracle::quadrature::Quadrature;
 use sunglint::scene::Channel;
 use sunglint::trial::gloss::{self, CASES, Case};
 use sunglint::trial::{Format, Found, Light, Make, Shading, ShadingVisitor, Visitor, input};
@@ -15,8 +18,6 @@ use crate::author::OURS;
 use crate::bound;
 use crate::clock::{self, Batch, Contender, Pace, lane_bits, level_bits};
 use crate::directions;
-use crate::display::{self, WHITES};
-use crate::measure::bits;
 use crate::options::Options;
 use crate::result::PixelRow;
 use crate::workers;
@@ -63,59 +64,6 @@ fn pixels(options: &Options) -> [usize; 3] {
 /// How often every contender has its turn.
 pub fn rounds(options: &Options) -> usize {
     if options.quick { 5 } else { 25 }
-}
-
-/// The true levels of the pixels whose arithmetic is judged: the BRDF integrated over the disc, in every case, at the
-/// inputs as each format rounds them.
-#[derive(Default)]
-pub struct Truths(Vec<Truth>);
-
-struct Truth {
-    case: &'static str,
-    format: Format,
-    levels: Vec<f64>,
-}
-
-impl Truths {
-    /// All of them, on all cores.
-    pub fn of(options: &Options, progress: &ProgressBar) -> Self {
-        let cases = wanted(options);
-        let all: Vec<_> = cases.iter().flat_map(|&case| Format::ALL.map(|format| (case, format))).collect();
-        let truth = |&(case, format): &(Case, Format)| {
-            progress.set_message(format!("{}, integrals over the disc in {}", case.name, format.name()));
-            // The models' are those of f64.
-            let wanted = format == Format::F64 || options.wants_format(format);
-            let levels = if wanted { format.visit(Integrals { case, options }) } else { vec![] };
-            Truth { case: case.name, format, levels }
-        };
-        Self(workers::map(&all, progress, truth))
-    }
-
-    /// Those of the pixels of [`arithmetic`], over the level of white.
-    pub fn levels(&self, case: &Case, format: Format) -> &[f64] {
-        let truth = self.0.iter().find(|truth| truth.case == case.name && truth.format == format);
-        truth.map_or(&[], |truth| &truth.levels)
-    }
-}
-
-struct Integrals<'a> {
-    case: Case,
-    options: &'a Options,
-}
-
-impl Integrals<'_> {
-    fn by<T: Real, const N: usize>(&self) -> Vec<f64> {
-        let rule = Quadrature::<N>::new();
-        arithmetic(&self.case, self.options).map(|pixel| gloss::integral::<T, N>(&self.case, &pixel, &rule)).collect()
-    }
-}
-
-impl Visitor for Integrals<'_> {
-    type Output = Vec<f64>;
-
-    fn visit<T: Real>(self) -> Vec<f64> {
-        if self.options.quick { self.by::<T, 8>() } else { self.by::<T, 12>() }
-    }
 }
 
 /// The errors of all methods in all formats, on all cores.
@@ -270,56 +218,6 @@ pub fn arithmetic(case: &Case, options: &Options) -> impl Iterator<Item = Pixel>
     case.pixels(options.seed, pixels(options)[0])
 }
 
-/// What code made of the pixels, and its arithmetic error.
-pub struct Judged {
-    error: Found<9>,
-    /// Over the level of white.
-    levels: Vec<f64>,
-}
-
-impl Judged {
-    /// Of `code`, which computes what `method` does.
-    pub fn of<T: Real>(method: Shading, case: &Case, options: &Options, code: impl Fn([[T; 3]; 3]) -> f64) -> Self {
-        let levels = RefCell::new(Vec::new());
-        let error = gloss::arithmetic_of_code(method, case, arithmetic(case, options), |lanes| {
-            let level = code(lanes);
-            levels.borrow_mut().push(level);
-            level
-        });
-        Self { error, levels: levels.into_inner() }
-    }
-
-    /// `row` with the arithmetic error, with the total that this makes with its model's, and with what a display shows
-    /// of the difference from the true levels.
-    pub fn row(&self, row: PixelRow, format: Format, truths: &[f64]) -> PixelRow {
-        let error = &self.error;
-        let [worst_n, worst_v, worst_l] = [0, 3, 6].map(|first| bits(format, &error.worst[first..first + 3]));
-        let shown = display::difference(self.levels.iter().zip(truths).map(|(&level, &truth)| [level, truth]));
-        let [steps8, steps10] = WHITES.map(|white| [white * shown.max, white * shown.rms]);
-        PixelRow {
-            error_max: error.max,
-            error_rms: error.rms(),
-            total_max: error.max.hypot(row.model_max),
-            total_rms: error.rms().hypot(row.model_rms),
-            samples: error.samples,
-            failure: (!error.max.is_finite()).then(|| "NaN".to_owned()),
-            worst_n,
-            worst_v,
-            worst_l,
-            error_p99: error.p99(),
-            error_bias: error.bias().unwrap_or(f64::NAN),
-            steps8_max: steps8[0],
-            steps8_rms: steps8[1],
-            steps10_max: steps10[0],
-            steps10_rms: steps10[1],
-            latency: f64::NAN,
-            bound_max: error.max,
-            bound_samples: error.samples,
-            ..row
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -338,7 +236,9 @@ mod tests {
         for case in &CASES {
             for format in Format::ALL {
                 for method in Shading::ALL {
-                    [Pace::Independent, Pace::Waiting].map(|pace| (contender(method, format, case, pace).call)());
+                    for pace in [Pace::Independent, Pace::Waiting] {
+                        (contender(method, format, case, pace).call)();
+                    }
                 }
             }
         }
