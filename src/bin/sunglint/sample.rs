@@ -194,7 +194,6 @@ pub fn kernel(format: &str, error: f64) -> KernelRow {
         bound_max: error,
         bound_samples: 4_294_967_296,
         repro: format!("sunglint worst --method 'normalize' --format {format} --seed 1"),
-        ..KernelRow::default()
     }
 }
 
