@@ -4,20 +4,17 @@ use sunglint::Real;
 use sunglint::highlight::{ConeGgx, DiscGgx, Highlight, PointGgx};
 use sunglint::oracle::quadrature::Quadrature;
 use sunglint::scene::Channel;
-use sunglint::trial::emulated::Word;
 use sunglint::trial::gloss::{self, Case};
 use sunglint::trial::input::{self, Pair};
-use sunglint::trial::{Constants, Format, Found, Judgement, Light, Make, Method, Shading, Visitor, judge_code};
+use sunglint::trial::{Constants, Found, Judgement, Light, Make, Method, Shading, Visitor, judge_code};
 
 use super::SweepRow;
+use super::numbers::Numbers;
 use crate::directions;
 use crate::options::Options;
 
 /// The highlight methods that are swept: at a point, over the disc, over the cone.
 pub const HIGHLIGHTS: [Shading; 3] = [Shading::Karis, Shading::Directional, Shading::ConeGgx];
-
-/// Names of the families, as rows have them.
-pub const FAMILIES: [&str; 3] = ["fixed", "float", "flushing float"];
 
 /// Random pairs of directions, pixels, and pixels of which the model error is taken.
 const SAMPLES: [usize; 3] = [10_000, 1500, 400];
@@ -51,65 +48,6 @@ impl Subject {
     pub fn light(&self) -> Light {
         match *self {
             Self::Direction { light, .. } | Self::Pixel { light, .. } => light,
-        }
-    }
-}
-
-/// What it is computed in.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Numbers {
-    /// A word, by the formulas that all formats share.
-    Word(Word),
-    /// A format, with what it does by hand.
-    Format(Format),
-}
-
-impl Numbers {
-    fn visit<V: Visitor>(self, visitor: V) -> Option<V::Output> {
-        match self {
-            Self::Word(word) => word.visit(visitor),
-            Self::Format(format) => Some(format.visit(visitor)),
-        }
-    }
-
-    fn name(self) -> String {
-        match self {
-            Self::Word(word) => word.to_string(),
-            Self::Format(format) => format.name().to_owned(),
-        }
-    }
-
-    fn step(self) -> f64 {
-        match self {
-            Self::Word(word) => word.step(),
-            Self::Format(format) => format.step(),
-        }
-    }
-
-    /// A row with the numbers' columns.
-    fn row(self) -> SweepRow {
-        match self {
-            Self::Format(format) => SweepRow {
-                width: format.width() as u32,
-                word: format.name().to_owned(),
-                format: Some(format.name()),
-                ..SweepRow::default()
-            },
-            Self::Word(word) => {
-                let (family, exponent) = match word {
-                    Word::Fixed { .. } => (FAMILIES[0], None),
-                    Word::Float { exponent, flushing, .. } => (FAMILIES[1 + usize::from(flushing)], Some(exponent)),
-                };
-                SweepRow {
-                    family,
-                    exponent,
-                    bits: word.digits(),
-                    width: word.width(),
-                    word: word.to_string(),
-                    format: word.format().map(Format::name),
-                    ..SweepRow::default()
-                }
-            }
         }
     }
 }
