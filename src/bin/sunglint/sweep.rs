@@ -5,6 +5,7 @@ mod arguments;
 mod fewest;
 mod goal;
 mod measurement;
+mod numbers;
 mod text;
 
 use indicatif::ProgressBar;
@@ -20,7 +21,8 @@ use crate::workers;
 pub use arguments::Arguments;
 pub use fewest::{Family, fewest};
 pub use goal::Goal;
-use measurement::{HIGHLIGHTS, Numbers, Subject, Task};
+use measurement::{HIGHLIGHTS, Subject, Task};
+use numbers::Numbers;
 
 /// One method in one word.
 #[derive(Clone, Debug, Default, Serialize)]

@@ -4,20 +4,17 @@ use sunglint::Real;
 use sunglint::highlight::{ConeGgx, DiscGgx, Highlight, PointGgx};
 use sunglint::oracle::quadrature::Quadrature;
 use sunglint::scene::Channel;
-use sunglint::trial::emulated::Word;
 use sunglint::trial::gloss::{self, Case};
 use sunglint::trial::input::{self, Pair};
-use sunglint::trial::{Constants, Format, Found, Judgement, Light, Make, Method, Shading, Visitor, judge_code};
+use sunglint::trial::{Constants, Found, Judgement, Light, Make, Method, Shading, Visitor, judge_code};
 
 use super::SweepRow;
+use super::numbers::Numbers;
 use crate::directions;
 use crate::options::Options;
 
 /// The highlight methods that are swept: at a point, over the disc, over the cone.
 pub const HIGHLIGHTS: [Shading; 3] = [Shading::Karis, Shading::Directional, Shading::ConeGgx];
-
-/// Names of the families, as rows have them.
-pub const FAMILIES: [&str; 3] = ["fixed", "float", "flushing float"];
 
 /// Random pairs of directions, pixels, and pixels of which the model error is taken.
 const SAMPLES: [usize; 3] = [10_000, 1500, 400];
@@ -34,8 +31,8 @@ fn samples(options: &Options) -> [usize; 3] {
 pub enum Subject {
     /// The direction to a light.
     Direction { light: Light, method: Method },
-    /// A lit pixel, with the error of the method's formula.
-    Pixel { light: Light, alpha: f64, method: Shading, model: Found<9> },
+    /// A lit pixel, with the worst error of the method's formula and the root mean square of it.
+    Pixel { light: Light, alpha: f64, method: Shading, model: [f64; 2] },
 }
 
 impl Subject {
@@ -51,65 +48,6 @@ impl Subject {
     pub fn light(&self) -> Light {
         match *self {
             Self::Direction { light, .. } | Self::Pixel { light, .. } => light,
-        }
-    }
-}
-
-/// What it is computed in.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Numbers {
-    /// A word, by the formulas that all formats share.
-    Word(Word),
-    /// A format, with what it does by hand.
-    Format(Format),
-}
-
-impl Numbers {
-    fn visit<V: Visitor>(self, visitor: V) -> Option<V::Output> {
-        match self {
-            Self::Word(word) => word.visit(visitor),
-            Self::Format(format) => Some(format.visit(visitor)),
-        }
-    }
-
-    fn name(self) -> String {
-        match self {
-            Self::Word(word) => word.to_string(),
-            Self::Format(format) => format.name().to_owned(),
-        }
-    }
-
-    fn step(self) -> f64 {
-        match self {
-            Self::Word(word) => word.step(),
-            Self::Format(format) => format.step(),
-        }
-    }
-
-    /// A row with the numbers' columns.
-    fn row(self) -> SweepRow {
-        match self {
-            Self::Format(format) => SweepRow {
-                width: format.width() as u32,
-                word: format.name().to_owned(),
-                format: Some(format.name()),
-                ..SweepRow::default()
-            },
-            Self::Word(word) => {
-                let (family, exponent) = match word {
-                    Word::Fixed { .. } => (FAMILIES[0], None),
-                    Word::Float { exponent, flushing, .. } => (FAMILIES[1 + usize::from(flushing)], Some(exponent)),
-                };
-                SweepRow {
-                    family,
-                    exponent,
-                    bits: word.digits(),
-                    width: word.width(),
-                    word: word.to_string(),
-                    format: word.format().map(Format::name),
-                    ..SweepRow::default()
-                }
-            }
         }
     }
 }
@@ -142,7 +80,7 @@ impl Task<'_> {
         };
         match self.subject {
             Subject::Direction { method, .. } => self.direction(method, &light, row),
-            Subject::Pixel { alpha, method, model, .. } => self.pixel(alpha, method, &model, row),
+            Subject::Pixel { alpha, method, model, .. } => self.pixel(alpha, method, model, row),
         }
     }
 
@@ -156,7 +94,7 @@ impl Task<'_> {
         Some(judged(row, &judgement))
     }
 
-    fn pixel(&self, alpha: f64, method: Shading, model: &Found<9>, row: SweepRow) -> Option<SweepRow> {
+    fn pixel(&self, alpha: f64, method: Shading, [model_max, model_rms]: [f64; 2], row: SweepRow) -> Option<SweepRow> {
         let Self { numbers, options, .. } = self;
         let case = Case { name: "", light: self.subject.light().light, alpha };
         let error = numbers.visit(Pixels { case, method, options })?;
@@ -165,10 +103,10 @@ impl Task<'_> {
             alpha: Some(alpha),
             error_max: error.max,
             error_rms: error.rms(),
-            total_max: error.max.hypot(model.max),
-            total_rms: error.rms().hypot(model.rms()),
-            model_max: model.max,
-            model_rms: model.rms(),
+            total_max: error.max.hypot(model_max),
+            total_rms: error.rms().hypot(model_rms),
+            model_max,
+            model_rms,
             samples: error.samples,
             failure: (!error.max.is_finite()).then(|| "NaN".to_owned()),
             ..row
@@ -195,12 +133,14 @@ fn judged(row: SweepRow, judgement: &Judgement<f64>) -> SweepRow {
     }
 }
 
+type Vector = [f64; 3];
+
 /// A method in some numbers. Behind pointers, so that the measuring is compiled once, not for every word.
 struct Code {
     /// The nearest vector.
-    rounded: fn([f64; 3]) -> [f64; 3],
+    rounded: fn(Vector) -> Vector,
     /// The method's answer to such vectors.
-    direction: Box<dyn Fn([f64; 3], [f64; 3]) -> [f64; 3]>,
+    direction: Box<dyn Fn(Vector, Vector) -> Vector>,
 }
 
 struct Direction<'a> {
@@ -213,7 +153,7 @@ impl Visitor for Direction<'_> {
 
     fn visit<T: Real>(self) -> Code {
         let (method, constants) = (self.method, Constants::<T>::of(&self.light.light));
-        let direction = move |l: [f64; 3], r: [f64; 3]| {
+        let direction = move |l: Vector, r: Vector| {
             method.direction(l.map(T::from_f64), r.map(T::from_f64), &constants).map(T::to_f64)
         };
         Code { rounded: |v| v.map(|lane| T::from_f64(lane).to_f64()), direction: Box::new(direction) }
@@ -247,11 +187,11 @@ fn level<T: Real, H: Highlight<T>>(case: &Case, [n, v, l]: [[T; 3]; 3], method: 
     shaded.map_or(f64::NAN, |level| sunglint::Scalar::exact(T::of_level(level)))
 }
 
-/// The errors of the formulas of [`HIGHLIGHTS`].
-pub fn models(light: Light, alpha: f64, options: &Options) -> [Found<9>; HIGHLIGHTS.len()] {
+/// The errors of the formulas of [`HIGHLIGHTS`]: worst and root mean square.
+pub fn models(light: Light, alpha: f64, options: &Options) -> [[f64; 2]; HIGHLIGHTS.len()] {
     let case = Case { name: "", light: light.light, alpha };
     let rule = Quadrature::<8>::new();
     let pixels = case.pixels(options.seed, samples(options)[2]);
     let all = gloss::models(&case, pixels.map(|pixel| (pixel, gloss::integral::<f64, 8>(&case, &pixel, &rule))));
-    HIGHLIGHTS.map(|method| all[method as usize])
+    HIGHLIGHTS.map(|method| [all[method as usize].max, all[method as usize].rms()])
 }
