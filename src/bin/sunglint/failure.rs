@@ -37,7 +37,7 @@ impl fmt::Display for Failure {
         match self {
             Self::Write(error) => error.fmt(f),
             Self::Usage(message) => f.write_str(message),
-            Self::Interrupted => f.write_str("interrupted; what was there before is as it was"),
+            Self::Interrupted => f.write_str("interrupted; no file is half written"),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Ctrl-C: nothing is half written.
 //!
 //! While nothing is being written, the process ends at once: there is nothing to be undone. While something is, the
-//! writer stops at its next file and takes its temporary files away first. A second Ctrl-C waits for nothing.
+//! writer stops at its next file and takes its temporary files away first. Once it has all that it needs and is putting
+//! it into place, it is too late, and the run ends as it would have. A second Ctrl-C waits for nothing.
 
 use std::io::{self, Write};
 use std::process;
@@ -17,9 +18,11 @@ struct State {
     asked: bool,
     /// How many [`Writing`] there are.
     writing: usize,
+    /// Whether it is too late to undo anything.
+    late: bool,
 }
 
-static STATE: Mutex<State> = Mutex::new(State { asked: false, writing: 0 });
+static STATE: Mutex<State> = Mutex::new(State { asked: false, writing: 0, late: false });
 
 /// The bar that has to go before anything is said.
 static BAR: OnceLock<ProgressBar> = OnceLock::new();
@@ -28,8 +31,10 @@ static BAR: OnceLock<ProgressBar> = OnceLock::new();
 pub fn heed() {
     let _ = ctrlc::set_handler(|| {
         let mut state = state();
-        let second = std::mem::replace(&mut state.asked, true);
-        if second || state.writing == 0 {
+        if std::mem::replace(&mut state.asked, true) {
+            process::exit(Failure::Interrupted.code().into());
+        }
+        if state.writing == 0 && !state.late {
             // The state stays locked, so that nobody begins to write.
             end();
         }
@@ -58,13 +63,26 @@ impl Writing {
         state.writing += 1;
         Ok(Self(()))
     }
+
+    /// All is ready: from here on nothing is undone.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::Interrupted`] once Ctrl-C has come.
+    pub fn commit(&self) -> io::Result<()> {
+        let mut state = state();
+        if state.asked {
+            return Err(io::ErrorKind::Interrupted.into());
+        }
+        state.late = true;
+        Ok(())
+    }
 }
 
 impl Drop for Writing {
     fn drop(&mut self) {
         let mut state = state();
         state.writing -= 1;
-        if state.asked && state.writing == 0 {
+        if state.asked && state.writing == 0 && !state.late {
             end();
         }
     }

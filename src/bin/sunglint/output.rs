@@ -69,13 +69,14 @@ pub fn prepare(out: &Path) -> Result<(), WriteError> {
 /// renamed one after the other, the report last; only what fails or kills the process there leaves old files among new.
 pub fn write(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
     let at = |cause: io::Error| failure(out, cause);
-    let _writing = Writing::begin().map_err(at)?;
+    let writing = Writing::begin().map_err(at)?;
     let new = Builder::new().prefix(".sunglint-").tempdir_in(out).map_err(at)?;
     let report = write_into(study, new.path())?;
     let report_name = report.strip_prefix(new.path()).unwrap_or(&report);
     let mut names = files(new.path()).map_err(at)?;
     // Names with the report's last, others in the order of the alphabet.
     names.sort_by_key(|name| (name == report_name, name.clone()));
+    writing.commit().map_err(at)?;
     for name in names {
         let path = out.join(&name);
         let moved =
