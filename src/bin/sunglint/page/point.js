@@ -54,7 +54,8 @@ document.addEventListener('pointerover', event => {
   if (event.pointerType === 'touch') return;
   const mark = marked(event);
   if (mark) point(mark, 'Click: its method’s page');
-  else unpoint();
+  // Scrolling to what has the focus moves the page under a pointer that rests.
+  else if (pointed !== document.activeElement) unpoint();
 });
 document.addEventListener('pointerdown', event => {
   const mark = marked(event);
