@@ -75,7 +75,7 @@ fn reported(rows: &[&PresetRow]) -> String {
     let figure = |row: &&PresetRow| format!("{} {}", escape(&row.measure), shown(row.value));
     let figures: Vec<_> = rows.iter().map(figure).collect();
     let (preset, form) = (escape(first.preset), escape(&first.form));
-    format!("{role} the reported failure <a href=\"#presets\">{preset}</a>: {form}; {}.", figures.join(", "))
+    format!("{role} the reported failure <a href=\"#preset-{preset}\">{preset}</a>: {form}; {}.", figures.join(", "))
 }
 
 #[cfg(test)]
@@ -115,8 +115,8 @@ mod tests {
         let cap = Subject::Direction(Method::Cap);
         let html = part(&study, cap, &cap.measurements(&study));
         let [none, two] = [0.0, 2.0].map(shown);
-        let said = format!("#presets\">tiny-sun</a>: cap, f16; lost {none}, lost {two}.</li>");
+        let said = format!("#preset-tiny-sun\">tiny-sun</a>: cap, f16; lost {none}, lost {two}.</li>");
         assert!(html.contains(&said) && html.contains("<li>The cure in the reported failure"), "{html}");
-        assert_eq!(html.matches("tiny-sun").count(), 1, "{html}");
+        assert_eq!(html.matches(">tiny-sun<").count(), 1, "{html}");
     }
 }
