@@ -50,7 +50,7 @@ impl Visitor for Row<'_> {
     type Output = (Vec<f64>, f64);
 
     fn visit<T: Real>(self) -> (Vec<f64>, f64) {
-        if self.coarse { self.integrals::<T, 4, 8>() } else { self.integrals::<T, 8, 16>() }
+        if self.coarse { self.integrals::<T, 6, 12>() } else { self.integrals::<T, 8, 16>() }
     }
 }
 
