@@ -275,7 +275,7 @@ mod tests {
         let rows = sample::curves("factored", "ratio");
         let svg = drawn(&rows);
         let places = rows.len() / 2;
-        assert_eq!(svg.matches("class=\"probe\"").count(), places);
+        assert_eq!(svg.matches("class=\"mark\"").count(), places);
         assert_eq!(svg.matches("\nmodel 0.10").count(), places);
         assert!(svg.contains("<title>ratio 1.0e-6\nf64 1.0e-16\nf16 1.0e-3\nmodel 0.10</title>"));
     }

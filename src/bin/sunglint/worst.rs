@@ -214,7 +214,7 @@ mod tests {
 
     #[test]
     fn what_is_known_beyond_this_run_comes_first() {
-        let row = sample::row("cap", "f32", 1.0, 1e-8);
+        let row = Row { repro: String::new(), ..sample::row("cap", "f32", 1.0, 1e-8) };
         let found = of_direction(&row, &options());
         assert_eq!(
             (found.error, found.samples, how_known(&found)),

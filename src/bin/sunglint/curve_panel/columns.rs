@@ -19,8 +19,7 @@ impl Chart<'_> {
         let edges: Vec<_> = iter::once(ends[0]).chain(centres.windows(2).map(edge)).chain([ends[1]]).collect();
         let column = |(at, sides): (&f64, &[f64])| {
             let title = Some(self.said(*at));
-            let start =
-                Primitive::GroupStart { transform: None, title, extra_attrs: Some("class=\"probe\"".to_owned()) };
+            let start = Primitive::GroupStart { transform: None, title, extra_attrs: None };
             let area = Primitive::Rect {
                 x: sides[0],
                 y: sheet.area.y.0,

@@ -79,13 +79,15 @@ fn line(family: &Family) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pack;
     use super::*;
     use crate::sample;
 
     #[test]
     fn there_is_a_figure_for_each_case_and_a_line_for_each_family() {
         let html = all(&Study { sweep: sample::sweep(), ..Study::default() });
-        assert_eq!(html.matches("<figure data-case").count(), 2);
+        let packed = pack::all_unpacked(&html).concat();
+        assert_eq!([&html, &packed].map(|part| part.matches("<figure data-case").count()), [1, 1]);
         assert_eq!(html.matches("<tr data-case").count(), 4);
         assert!(html.contains("direction, Sun from Earth") && html.contains("lit pixel, Sun, alpha 0.001"));
         assert!(!html.contains("inf") && !html.contains("NaN<"), "{html}");

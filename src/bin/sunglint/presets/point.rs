@@ -15,7 +15,7 @@ pub const PRESET: Preset = Preset {
     name: "sphere-as-point",
     source: "KhronosGroup/glTF-Sample-Viewer, issue 547 (2024): no highlight of a light on the smoothest surfaces; \
              o3de's manual (2022) gives directional lights an angular diameter against that",
-    question: "What is the highlight of a sphere of ratio 0.005, about the Sun, where it is treated as a point?",
+    question: "What is the highlight of a sphere of ratio 0.005, about the Sun, treated as a point?",
     chart: Some(Axes {
         title: "Difference of the whole highlight from the integral over the disc",
         input: "alpha, the GGX width",

@@ -15,7 +15,7 @@ pub const PRESET: Preset = Preset {
     name: "threejs-roughness4",
     source: "mrdoob/three.js, pull request 8349 and issues 9501 and 9515 (2016): black highlights on phones; its \
              clamps of the roughness, 0.04 and later 0.0525",
-    question: "How bright is a glossy pixel where the roughness goes into GGX as its fourth power, in half floats?",
+    question: "How bright is a glossy pixel if GGX takes the fourth power of the roughness, in half floats?",
     chart: Some(Axes {
         title: "Pixels off by a factor of 2 or more, or no number",
         input: "roughness",
