@@ -51,7 +51,7 @@ pub fn row(method: &str, format: &str, cost: f64, error: f64) -> Row {
         latency: cost * 1.5,
         bound: Bound::Searched,
         bound_max: error * 1.1,
-        bound_samples: 870_000,
+        bound_samples: 1_000_000,
         repro: format!(
             "sunglint repro {method} {format} --light 'Sun from Earth' --l '3f800000 0 0' --r '3f800000 0 0'"
         ),

@@ -15,6 +15,7 @@ mod worst;
 use self::about::About;
 use self::subject::{Group, Subject};
 use super::cells::{escape, slug};
+use super::pack;
 use crate::number;
 use crate::result::Study;
 
@@ -60,19 +61,8 @@ fn articles(study: &Study, group: Group) -> String {
 fn article(study: &Study, subject: Subject) -> String {
     let (name, about) = (subject.name(), subject.about());
     let measured = subject.measurements(study);
-    let parts = if measured.is_empty() {
-        "<p>Not measured in this run.</p>\n".to_owned()
-    } else {
-        [
-            place::paragraph(study, subject, &measured),
-            if let Subject::Block(kernel) = subject { precision::paragraph(kernel, &measured) } else { String::new() },
-            costs::table(study, subject, &measured),
-            curves::charts(study, subject),
-            worst::table(study, subject, &measured),
-            thumbnails::of(study, name),
-        ]
-        .concat()
-    };
+    let parts =
+        if measured.is_empty() { "<p>Not measured in this run.</p>\n".to_owned() } else { parts(study, subject) };
     format!(
         "<article id=\"method-{}\"><details>\n<summary><h4>{}</h4> <span>{}</span></summary>\n{}{parts}{}</details></article>\n",
         slug(name),
@@ -81,6 +71,20 @@ fn article(study: &Study, subject: Subject) -> String {
         facts(&about),
         failures::part(study, subject, &measured)
     )
+}
+
+/// What was measured of a method: what is said of it plain, the rest packed.
+fn parts(study: &Study, subject: Subject) -> String {
+    let measured = subject.measurements(study);
+    let large = [
+        costs::table(study, subject, &measured),
+        curves::charts(study, subject),
+        worst::table(study, subject, &measured),
+        thumbnails::of(study, subject.name()),
+    ];
+    let precision =
+        if let Subject::Block(kernel) = subject { precision::paragraph(kernel, &measured) } else { String::new() };
+    place::paragraph(study, subject, &measured) + &precision + &pack::packed(&large.concat())
 }
 
 /// What stands fast of a method: formula, ranges, use, name in the crate.
@@ -107,7 +111,13 @@ mod tests {
     use crate::sample;
 
     fn page() -> String {
-        all(&sample::methods_study())
+        unpacked(all(&sample::methods_study()))
+    }
+
+    /// The page with its packs at its end.
+    fn unpacked(html: String) -> String {
+        let packs = pack::all_unpacked(&html).concat();
+        html + &packs
     }
 
     #[test]
@@ -140,9 +150,9 @@ mod tests {
 
     #[test]
     fn every_format_with_rows_has_a_line_in_both_charts() {
-        let html = page();
+        let html = all(&sample::methods_study());
         let cap = html.split("<article id=\"method-cap\">").nth(1).and_then(|rest| rest.split("</article>").next());
-        let cap = cap.expect("an article");
+        let cap = pack::all_unpacked(cap.expect("an article")).concat();
         assert_eq!(cap.matches("<svg").count(), 2, "angle and ratio");
         for format in ["f64", "f16"] {
             assert_eq!(cap.matches(&format!(">{format}</text>")).count(), 2, "{format}");
@@ -163,7 +173,7 @@ mod tests {
             };
         }
         study.pictures[0].caption = "<b>".to_owned();
-        let html = all(&study).replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
+        let html = unpacked(all(&study)).replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
         assert!(!html.contains("<b>") && html.contains("&lt;b&gt;&quot;&amp;&#39;"));
         assert!(!html.contains("http://") && !html.contains("https://"));
         assert_eq!(html.matches(" src=\"").count(), html.matches(" src=\"data:image/png;base64,").count());
