@@ -14,7 +14,7 @@ pub fn text() -> String {
     let first = |sentences| before(before(sentences, ". The error"), ", with its");
     let lights = lights::STUDY.map(|light| (light.name, format!("ratio {}", light.light.sin())));
     let cases = CASES.map(|case| (case.name, format!("ratio {}", case.light.sin())));
-    let snippets = snippets::ALL.iter().map(|snippet| (snippet.method, format!("{:?}", snippet.language)));
+    let snippets = snippets::ALL.iter().map(|snippet| (snippet.method, snippet.language.name().to_owned()));
     [
         part("Direction methods", "worst --method cap", Method::ALL.map(|method| (method.name(), direction(method)))),
         part("Highlight methods", "--method karis", Shading::ALL.map(|method| (method.name(), highlight(method)))),
