@@ -33,7 +33,7 @@
 //! |---|---|---|---|---|---|
 //! | f64 | as they are | the same | 2.5e-16 rad | 0.51 ULP | the same |
 //! | f32 | as they are | the same | 5.7e-8 rad | 0.51 ULP | the same |
-//! | micromath | f32 | the same | 7.9e-8 rad | 0.51 ULP | the same |
+//! | micromath | f32 | the same | 8.0e-8 rad | 0.51 ULP | the same |
 //! | f16 | f16, subnormals not needed | the same | 4.8e-4 rad | 0.8 ULP | the same |
 //! | I2F14 | Q14 in 16 bits | Q28 in 32 | 6.2e-5 rad | 0.51 LSB of U16F48, U52F12 | U16F16 |
 //! | I2F30 | Q30 in 32 bits | Q60 in 64 | 1.5e-9 rad | the same | U32F32 |

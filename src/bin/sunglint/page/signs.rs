@@ -16,7 +16,7 @@ const SIGNS: [(&str, &str); 9] = [
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/>",
-        "<strong>plain</strong>: searched, by climbing from the worst of a million inputs",
+        "<strong>plain</strong>: searched, by climbing uphill over half a million inputs or more",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/><circle cx=\"12\" cy=\"9\" r=\"1.8\" fill=\"#ffffff\"/>",
