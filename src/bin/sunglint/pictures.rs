@@ -5,7 +5,6 @@ mod colour;
 mod contact;
 mod failing;
 mod figures;
-mod flushing;
 mod lit;
 mod patch;
 mod raster;

@@ -6,7 +6,6 @@ mod console;
 mod cordic;
 mod distant_light;
 mod fast_root;
-mod flushing;
 mod mediump;
 mod pixels;
 mod point;
