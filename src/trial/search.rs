@@ -32,8 +32,8 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// What the budgets are from: over a million inputs for each, of which half a million to 900 000 are unit vectors in
-    /// the format and are judged.
+    /// What the budgets are from: over a million inputs for each, of which half a million to 900 000 are unit vectors
+    /// in the format and are judged.
     pub const FULL: Self = Self { starts: 1200, first: 500, last: 24_000 };
 
     /// A few thousand inputs.

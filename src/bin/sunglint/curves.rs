@@ -27,8 +27,8 @@ pub struct CurveRow {
     pub alpha: Option<f64>,
     /// Radius over distance of the light.
     pub ratio: f64,
-    /// What varies: `angle` (radians between mirror ray and light, under the Sun), `to opposite` (radians from mirror ray
-    /// to the light's opposite, under the Sun) or `ratio`.
+    /// What varies: `angle` (radians between mirror ray and light, under the Sun), `to opposite` (radians from mirror
+    /// ray to the light's opposite, under the Sun) or `ratio`.
     pub along: &'static str,
     /// Its value; of a range the geometric middle.
     pub at: f64,

@@ -174,6 +174,8 @@ fn in_radii(angle: f64, light: &DistantLight) -> String {
 /// What of a budget an error uses up.
 fn used(error: f64, budget: Option<f64>, unit: &str) -> String {
     match budget {
+        // The answer is no number, or no direction.
+        Some(budget) if !error.is_finite() => format!("budget            {budget:e}{unit}, broken"),
         Some(budget) => format!("budget            {budget:e}{unit}, of which this is {:.1} %", error / budget * 100.0),
         None => "budget            none: the study promises nothing here".to_owned(),
     }

@@ -57,6 +57,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let progress = progress(&arguments.options);
     let rows = rows(&arguments.options, &progress);
     progress.finish_and_clear();
+    if rows.is_empty() {
+        return Err(Failure::Usage("nothing has that method, format and light; see sunglint list".to_owned()));
+    }
     let text = if arguments.json { rows.iter().map(json).collect() } else { text(&rows) };
     print(text.trim_end());
     Ok(())

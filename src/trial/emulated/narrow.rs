@@ -9,11 +9,11 @@ use crate::real::{Constant, Float, STEEP_COSINE, Scalar};
 /// (5 or 8); where `FLUSHING`, numbers below the least normal one are zero. Where not `SCALED`, lengths are squared as
 /// they are, without [`Float::SCALE`] and [`Float::TINY`].
 ///
-/// Every operation is done in f64 and rounded to nearest, ties to even, once more. That gives what one rounding would: a
-/// sum, product, quotient or root of numbers of `p` digits either is a tie or is farther from every tie than f64, whose
-/// 53 digits are at least `2 p + 2`, can round it (S. Figueroa, "When is double rounding innocuous?", 1995). Where the
-/// answer is subnormal, ties have fewer digits and lie farther apart: sums and products are exact in f64 there, and
-/// quotients keep their distance; no root is subnormal. `tests/emulated.rs` tries it against f16 and f32.
+/// Every operation is done in f64 and rounded to nearest, ties to even, once more. That gives what one rounding would:
+/// a sum, product, quotient or root of numbers of `p` digits either is a tie or is farther from every tie than f64,
+/// whose 53 digits are at least `2 p + 2`, can round it (S. Figueroa, "When is double rounding innocuous?", 1995).
+/// Where the answer is subnormal, ties have fewer digits and lie farther apart: sums and products are exact in f64
+/// there, and quotients keep their distance; no root is subnormal. `tests/emulated.rs` tries it against f16 and f32.
 ///
 /// Flushed is what has been rounded; since constants and conversions flush as well, no argument is ever subnormal.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]

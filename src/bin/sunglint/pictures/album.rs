@@ -80,11 +80,11 @@ pub fn pixels_count(options: &Options) -> usize {
     if methods == 0 { 0 } else { (methods + 1) * options.formats().count() }
 }
 
-/// Directions under `light`; nothing where that is a point or no method is asked for.
+/// Directions under `light`, which is no point; nothing where no method is asked for.
 pub fn directions(light: &Light, plan: Plan, progress: &ProgressBar) -> Option<Album> {
     let theta = light.light.angular_radius();
     let items = plan.options.directions();
-    if items.is_empty() || theta == 0.0 {
+    if items.is_empty() {
         return None;
     }
     let patch = Patch::about_the_highlight(RADII * theta);

@@ -22,8 +22,8 @@ pub fn paragraph(kernel: Kernel, measured: &[Measurement]) -> String {
     format!("<p><strong>Required elsewhere.</strong> {}</p>\n", sentences.join(" "))
 }
 
-/// The worst errors in units of the last place. Numbers of fixed point have 31 bits and an exponent, whatever the format
-/// of vectors; so of those only directions count.
+/// The worst errors in units of the last place. Numbers of fixed point have 31 bits and an exponent, whatever the
+/// format of vectors; so of those only directions count.
 fn places(kernel: Kernel, ours: &[&Measurement]) -> String {
     let of_vectors = kernel.unit() == "rad";
     let place = |one: &&&Measurement| {
