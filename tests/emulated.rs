@@ -3,7 +3,7 @@
 use fixed::types::{I2F14, I2F30, I16F16};
 use half::f16;
 use oorandom::Rand64;
-use sunglint::trial::emulated::{FixedPoint, Narrow, Word};
+use sunglint::trial::emulated::{FixedPoint, FlushingF16, Narrow, Word};
 use sunglint::trial::formula;
 use sunglint::trial::gloss::{self, CASES};
 use sunglint::trial::lights::BUDGETED;
@@ -189,7 +189,7 @@ fn assert_rule<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool>() {
             _ => hard[source.rand_range(0..hard.len() as u64) as usize],
         };
         let [a, b] = [number(any(&mut source)), number(any(&mut source))];
-        let [u, v] = [a, b].map(Narrow::<DIGITS, EXPONENT, FLUSHING>::nearest);
+        let [u, v] = [a, b].map(<Narrow<DIGITS, EXPONENT, FLUSHING>>::nearest);
         assert_eq!([u, v].map(Scalar::exact), [a, b]);
         let rule = |value| nearest_by_rule(value, DIGITS as i32, EXPONENT, FLUSHING);
         let found = [u + v, u - v, u * v, u / v, u.root()].map(Scalar::exact);
@@ -214,7 +214,7 @@ fn flushing_words_have_no_subnormal_numbers() {
     assert_rule::<11, 5, true>();
     assert_rule::<24, 8, true>();
     assert_rule::<8, 8, true>();
-    assert_eq!(Narrow::<11, 5, true>::nearest(6.1e-5).exact(), 0.0);
+    assert_eq!(FlushingF16::nearest(6.1e-5).exact(), 0.0);
     assert_eq!(Half::nearest(6.1e-5).exact(), 1023.0 / 16_777_216.0);
 }
 

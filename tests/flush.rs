@@ -1,103 +1,12 @@
 //! f16 on hardware that flushes subnormals to zero: right as it is, and lost without the scale.
 
-use std::ops::{Add, Div, Mul, Sub};
-
-use half::f16;
 use sunglint::oracle::planck::Law;
-use sunglint::real::Constant;
 use sunglint::trial::diffuse::RELATIVE;
+use sunglint::trial::emulated::{FlushingF16, UnscaledF16};
 use sunglint::trial::lights::BUDGETED;
 use sunglint::trial::radiometry::Formula;
 use sunglint::trial::{Format, Method, Shading, blackbody, budget, gloss, input, judge};
-use sunglint::{DistantSphere, Float, Real, SUN, Scalar, cap, oracle, relative_illuminance};
-
-/// f16 whose every operation flushes subnormal arguments and results; `SCALED` with this crate's scale for squares.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-struct Flushing<const SCALED: bool>(f16);
-
-fn flush<const SCALED: bool>(value: f16) -> Flushing<SCALED> {
-    let subnormal = value.classify() == core::num::FpCategory::Subnormal;
-    Flushing(if subnormal { f16::ZERO } else { value })
-}
-
-const fn pair<const SCALED: bool>([a, b]: [f16; 2]) -> [Flushing<SCALED>; 2] {
-    [Flushing(a), Flushing(b)]
-}
-
-impl<const SCALED: bool> Add for Flushing<SCALED> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        flush(self.0 + other.0)
-    }
-}
-
-impl<const SCALED: bool> Sub for Flushing<SCALED> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        flush(self.0 - other.0)
-    }
-}
-
-impl<const SCALED: bool> Mul for Flushing<SCALED> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        flush(self.0 * other.0)
-    }
-}
-
-impl<const SCALED: bool> Div for Flushing<SCALED> {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        flush(self.0 / other.0)
-    }
-}
-
-impl<const SCALED: bool> Scalar for Flushing<SCALED> {
-    const ZERO: Self = Self(<f16 as Scalar>::ZERO);
-    const ONE: Self = Self(<f16 as Scalar>::ONE);
-    const MAX: Self = Self(<f16 as Scalar>::MAX);
-    const NEAR_ONE: Option<[Constant; 2]> = f16::NEAR_ONE;
-
-    fn nearest(value: f64) -> Self {
-        flush(f16::nearest(value))
-    }
-
-    fn exact(self) -> f64 {
-        self.0.exact()
-    }
-
-    fn constant(constant: Constant) -> Self {
-        Self::nearest(constant.value())
-    }
-
-    fn root(self) -> Self {
-        flush(self.0.root())
-    }
-
-    fn from_q31(bits: u32) -> Self {
-        flush(f16::from_q31(bits))
-    }
-
-    fn to_q31(self) -> u32 {
-        self.0.to_q31()
-    }
-}
-
-impl<const SCALED: bool> Float for Flushing<SCALED> {
-    const FORMAT: &'static str = "flushing f16";
-    const STEEP: [Self; 2] = pair(<f16 as Float>::STEEP);
-    const SCALE: Self = Self(if SCALED { <f16 as Float>::SCALE } else { <f16 as Scalar>::ONE });
-    const TINY: Self = Self(if SCALED { <f16 as Float>::TINY } else { <f16 as Scalar>::ONE });
-    const SAFE_SQUARE: [Self; 2] = pair(<f16 as Float>::SAFE_SQUARE);
-    const SPLITTER: Self = Self(<f16 as Float>::SPLITTER);
-    const PI: [Self; 2] = pair(<f16 as Float>::PI);
-    const TWICE_PI: [Self; 2] = pair(<f16 as Float>::TWICE_PI);
-    const INVERSE_PI: [Self; 2] = pair(<f16 as Float>::INVERSE_PI);
-
-    fn over_root(length: Self, square: Self) -> Self {
-        flush(f16::over_root(length.0, square.0))
-    }
-}
+use sunglint::{DistantSphere, Real, SUN, Scalar, cap, oracle, relative_illuminance};
 
 /// The catalogue's scene at 1.5 times the radius of a Sun of ratio 0.00465: where the answer lies, and where `r` does,
 /// in radii.
@@ -112,9 +21,9 @@ fn turns<T: Real>() -> [f64; 2] {
 
 #[test]
 fn without_the_scale_the_sun_is_drawn_too_wide() {
-    let [answer, mirror] = turns::<Flushing<false>>();
+    let [answer, mirror] = turns::<UnscaledF16>();
     assert_eq!(answer, mirror);
-    let [answer, _] = turns::<Flushing<true>>();
+    let [answer, _] = turns::<FlushingF16>();
     assert!((answer - 0.996).abs() < 0.0002, "{answer}");
 }
 
@@ -122,7 +31,7 @@ fn without_the_scale_the_sun_is_drawn_too_wide() {
 fn worst_beyond(steps: f64) -> f64 {
     let theta = SUN.angular_radius();
     let pairs = input::random(1, 50_000, theta).chain(input::hard(theta));
-    judge::<Flushing<true>>(Method::Cap, &SUN, pairs, steps * Format::F16.step()).worst.error
+    judge::<FlushingF16>(Method::Cap, &SUN, pairs, steps * Format::F16.step()).worst.error
 }
 
 #[test]
@@ -143,28 +52,28 @@ fn beside_the_opposite_flushing_costs_a_little() {
 #[test]
 fn radiometry_and_black_bodies_keep_the_budgets_of_f16() {
     for formula in Formula::ALL {
-        let worst = formula.error::<Flushing<true>>(1, 20_000);
+        let worst = formula.error::<FlushingF16>(1, 20_000);
         let budget = formula.maximum(Format::F16);
         assert!(worst.max <= budget && worst.max >= budget / 4.0, "{} {worst:?}", formula.name());
     }
     for law in Law::ALL {
-        let worst = blackbody::relative_error::<Flushing<true>>(law, 1, 20_000);
+        let worst = blackbody::relative_error::<FlushingF16>(law, 1, 20_000);
         let budget = blackbody::RELATIVE[law as usize][Format::F16 as usize];
         assert!(worst.max <= budget && worst.max >= budget / 4.0, "{law:?} {worst:?}");
         // What is below the least normal number is lost.
-        let lost = blackbody::absolute_error::<Flushing<true>>(law, 1, 20_000);
+        let lost = blackbody::absolute_error::<FlushingF16>(law, 1, 20_000);
         assert!(lost.max <= blackbody::ABSOLUTE[law as usize][Format::F16 as usize], "{law:?} {lost:?}");
     }
-    let tints = blackbody::tint_error::<Flushing<true>>(1, 20_000);
+    let tints = blackbody::tint_error::<FlushingF16>(1, 20_000);
     assert!(tints.max <= blackbody::TINT[Format::F16 as usize], "{tints:?}");
 }
 
 #[test]
 fn sampling_keeps_the_budget_of_f16() {
     let budget = sunglint::trial::sampling::DIRECTION[0][Format::F16 as usize];
-    let worst = sunglint::trial::sampling::direction_error::<Flushing<true>>(&SUN, 1, 20_000).max;
+    let worst = sunglint::trial::sampling::direction_error::<FlushingF16>(&SUN, 1, 20_000).max;
     assert!(worst <= budget && worst >= budget / 4.0, "{worst:e}");
-    let cone = sunglint::sampling::Cone::new([0.0, 0.6, 0.8].map(Flushing::<true>::from_f64), &DistantSphere::of(&SUN));
+    let cone = sunglint::sampling::Cone::new([0.0, 0.6, 0.8].map(FlushingF16::from_f64), &DistantSphere::of(&SUN));
     let density = cone.pdf().unwrap().exact() * SUN.solid_angle();
     assert!((density - 1.0).abs() < 2e-3, "{density}");
 }
@@ -175,10 +84,10 @@ fn sampling_keeps_the_budget_of_f16() {
 fn a_setting_disc_keeps_the_budget_of_f16() {
     const LEAST: f64 = 1.0 / 16384.0;
     for (light, budgets) in BUDGETED.into_iter().zip(RELATIVE) {
-        let sphere = DistantSphere::<Flushing<true>>::of(&light.light);
+        let sphere = DistantSphere::<FlushingF16>::of(&light.light);
         let x = sphere.sin().exact();
         for step in -1000..=1000 {
-            let cosine = Flushing::<true>::from_f64(x * f64::from(step) / 1000.0);
+            let cosine = FlushingF16::from_f64(x * f64::from(step) / 1000.0);
             let truth = oracle::diffuse::relative_illuminance(cosine.exact(), x, 1.0);
             let answer = relative_illuminance(cosine, &sphere).exact();
             let kept = budgets[Format::F16 as usize] * truth + LEAST / 64.0;
@@ -194,7 +103,7 @@ fn a_setting_disc_keeps_the_budget_of_f16() {
 fn lit_pixels_keep_the_budgets_of_f16() {
     for (index, case) in gloss::CASES.iter().enumerate() {
         for method in [Shading::Karis, Shading::DiscGgx, Shading::ConeGgx] {
-            let found = gloss::arithmetic::<Flushing<true>>(method, case, case.pixels(1, 10_000));
+            let found = gloss::arithmetic::<FlushingF16>(method, case, case.pixels(1, 10_000));
             let family = gloss::family(method);
             let [max, mean] = [gloss::MAXIMA, gloss::MEANS].map(|table| table[family][index][Format::F16 as usize]);
             let name = format!("{}, {}: {:e} {:e}", method.name(), case.name, found.max, found.rms());

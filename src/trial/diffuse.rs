@@ -174,7 +174,7 @@ fn at_elevation(n: [f64; 3], aside: [f64; 3], sine: f64) -> Option<[f64; 3]> {
 
 /// A unit of the last place of the level at `value`; in fixed point of 31 bits where that is coarser.
 fn level_unit<T: Real>(value: f64) -> f64 {
-    let format = Format::ALL.into_iter().find(|format| format.name() == T::NAME);
+    let format = Format::named(T::NAME);
     let mantissa = libm::scalbn(1.0, libm::ilogb(value.max(1e-300)) - 30);
     match format {
         Some(Format::I2F14 | Format::I16F16) => mantissa.max(libm::scalbn(1.0, -16)),

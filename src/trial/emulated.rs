@@ -7,7 +7,7 @@ mod narrow;
 use core::fmt;
 
 pub use fixed_point::FixedPoint;
-pub use narrow::Narrow;
+pub use narrow::{FlushingF16, Narrow, UnscaledF16};
 
 use super::format::{Format, Visitor};
 

@@ -47,6 +47,11 @@ impl Format {
         }
     }
 
+    /// The format of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+
     /// Name of the format.
     pub const fn name(self) -> &'static str {
         match self {

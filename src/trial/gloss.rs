@@ -197,9 +197,7 @@ pub fn models(case: &Case, pixels: impl Iterator<Item = (Pixel, f64)>) -> [Found
 /// A whole pixel of inputs that the format `T` holds: by the method's own formula, and by the BRDF integrated over the
 /// disc.
 pub fn truths<T: Real, const N: usize>(shading: Shading, case: &Case, pixel: &Pixel, rule: &Quadrature<N>) -> [f64; 2] {
-    let albedo = T::Scalar::nearest(ALBEDO).exact();
-    let highlight = rule.highlight(&case.glossy::<T>(), pixel);
-    [truth::<T>(shading, case, pixel), diffuse(case, pixel, albedo) + PI * highlight]
+    [truth::<T>(shading, case, pixel), integrated::<T, N>(case, pixel, rule)]
 }
 
 fn inputs(&Pixel { n, v, l }: &Pixel) -> [f64; 9] {

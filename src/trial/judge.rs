@@ -53,11 +53,36 @@ pub struct Judgement<T> {
     /// Worst arithmetic error in units of the angular radius where `r` is within ten radii of the light (and 90
     /// degrees): how far off the disc is drawn. From [`DISC_LOST`] on the disc is lost.
     pub disc_lost: f64,
-    /// Worst error of the drawn edge, in units of the angular radius: how much farther out or in than the disc's nearest
-    /// point the answer lies, where `r` is as near to the light as that.
+    /// Worst error of the drawn edge, in units of the angular radius: how much farther out or in than the disc's
+    /// nearest point the answer lies, where `r` is as near to the light as that.
     pub edge_max: f64,
     /// Mean of the squared error of the edge.
     pub edge_mean_square: f64,
+}
+
+impl<T: Real> Judgement<T> {
+    /// Nothing tried yet.
+    fn none() -> Self {
+        let zero = [T::ZERO; 3];
+        Self {
+            samples: 0,
+            excluded: 0,
+            undirected: 0,
+            worst: Worst { error: 0.0, l: zero, r: zero },
+            mean_square: 0.0,
+            spread: Spread::new(),
+            bias: 0.0,
+            model_max: 0.0,
+            model_mean_square: 0.0,
+            total_max: 0.0,
+            total_mean_square: 0.0,
+            input_max: 0.0,
+            input_mean_square: 0.0,
+            disc_lost: 0.0,
+            edge_max: 0.0,
+            edge_mean_square: 0.0,
+        }
+    }
 }
 
 /// Half a radius.
@@ -83,25 +108,7 @@ pub fn judge_code<T: Real>(
     pairs: impl Iterator<Item = Pair>,
     epsilon: f64,
 ) -> Judgement<T> {
-    let zero = [T::ZERO; 3];
-    let mut sum = Judgement {
-        samples: 0,
-        excluded: 0,
-        undirected: 0,
-        worst: Worst { error: 0.0, l: zero, r: zero },
-        mean_square: 0.0,
-        spread: Spread::new(),
-        bias: 0.0,
-        model_max: 0.0,
-        model_mean_square: 0.0,
-        total_max: 0.0,
-        total_mean_square: 0.0,
-        input_max: 0.0,
-        input_mean_square: 0.0,
-        disc_lost: 0.0,
-        edge_max: 0.0,
-        edge_mean_square: 0.0,
-    };
+    let mut sum = Judgement::none();
     let (mut facing, mut near) = (0_u64, 0_u64);
     for pair in pairs {
         let (l, r) = (pair.l.map(T::from_f64), pair.r.map(T::from_f64));

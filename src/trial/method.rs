@@ -39,6 +39,11 @@ impl Method {
     /// All methods, in the order of tables.
     pub const ALL: [Self; 4] = [Self::Epic, Self::Factored, Self::Disc, Self::Cap];
 
+    /// The method of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.name() == name)
+    }
+
     /// Name of the function.
     pub const fn name(self) -> &'static str {
         match self {

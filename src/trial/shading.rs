@@ -50,6 +50,11 @@ impl Shading {
         Self::Shifted,
     ];
 
+    /// The method of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.name() == name)
+    }
+
     /// Name, as tables and charts print it.
     pub const fn name(self) -> &'static str {
         match self {

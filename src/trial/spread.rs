@@ -11,8 +11,8 @@ const EXPONENTS: [i32; 2] = [-64, 16];
 /// As many bins as those make.
 const COUNT: usize = BINS * (EXPONENTS[1] - EXPONENTS[0]) as usize;
 
-/// Errors that are not negative, counted. A bin is at most a 32nd of its errors wide, so that its middle is within 1.6 %
-/// of each of them. Errors below `2^-64` count as zero, those from `2^16` on as infinite.
+/// Errors that are not negative, counted. A bin is at most a 32nd of its errors wide, so that its middle is within
+/// 1.6 % of each of them. Errors below `2^-64` count as zero, those from `2^16` on as infinite.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Spread {
     bins: [u32; COUNT],

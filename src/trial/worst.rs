@@ -52,7 +52,7 @@ fn record(line: &str) -> Option<Record> {
 
 fn cell(aim: &str, format: &str, place: &str) -> Option<Cell> {
     let aim = Aim::ALL.into_iter().find(|one| one.name() == aim)?;
-    let format = Format::ALL.into_iter().find(|one| one.name() == format)?;
+    let format = Format::named(format)?;
     let place = aim.places(format).find(|one| one.name() == place)?;
     Some(Cell { aim, format, place })
 }

@@ -36,11 +36,7 @@ const PAIRS: [usize; 2] = [20_000, 2000];
 /// Steps of the progress bar.
 pub fn steps(options: &Options) -> usize {
     let places = directions::wanted(options).count() + pixels::wanted(options).len();
-    places * (formats(options).len() + rounds(options))
-}
-
-fn formats(options: &Options) -> Vec<Format> {
-    Format::ALL.into_iter().filter(|&format| options.wants_format(format)).collect()
+    places * (options.formats().count() + rounds(options))
 }
 
 /// How often every empty call has its turn.
@@ -50,7 +46,7 @@ fn rounds(options: &Options) -> usize {
 
 /// All of them: errors on all cores, then times.
 pub fn measure(truths: &Truths, options: &Options, progress: &ProgressBar) -> Vec<AnchorRow> {
-    let formats = formats(options);
+    let formats: Vec<_> = options.formats().collect();
     let lights: Vec<_> = directions::wanted(options).map(Place::Light).collect();
     let cases = pixels::wanted(options).into_iter().map(Place::Case);
     let places: Vec<_> = lights.into_iter().chain(cases).collect();
@@ -161,7 +157,7 @@ mod tests {
         let rows = measure(&truths, &options, &progress);
         assert_eq!((rows.len(), progress.position() - before), (2 * Format::ALL.len(), steps(&options) as u64));
         for row in &rows {
-            let format = Format::ALL.into_iter().find(|format| format.name() == row.format).expect("a format");
+            let format = Format::named(&row.format).expect("a format");
             let steps = row.rounded_max / format.step();
             match (row.subject, format) {
                 (_, Format::F64) => assert_eq!(steps, 0.0, "{row:?}"),

@@ -4,8 +4,8 @@
 //! Directions, whole pixels and building blocks are all in that one unit, so that their costs can be added up and
 //! their charts laid side by side.
 //!
-//! Calls are independent of each other, so that a processor works on several at once: that is throughput. Latency is the
-//! time of a call that waits for the one before, in the same unit.
+//! Calls are independent of each other, so that a processor works on several at once: that is throughput. Latency is
+//! the time of a call that waits for the one before, in the same unit.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};

@@ -27,8 +27,8 @@ pub struct CurveRow {
     pub alpha: Option<f64>,
     /// Radius over distance of the light.
     pub ratio: f64,
-    /// What varies: `angle` (radians between mirror ray and light, under the Sun), `to opposite` (radians from mirror ray
-    /// to the light's opposite, under the Sun) or `ratio`.
+    /// What varies: `angle` (radians between mirror ray and light, under the Sun), `to opposite` (radians from mirror
+    /// ray to the light's opposite, under the Sun) or `ratio`.
     pub along: &'static str,
     /// Its value; of a range the geometric middle.
     pub at: f64,
@@ -52,21 +52,7 @@ const QUICK_INPUTS: [usize; 3] = [150, 40, 5];
 pub fn steps(options: &Options) -> usize {
     let places = places();
     let of = |subject: Subject| places.iter().filter(|place| place.subject == subject).count();
-    of(Subject::Direction) * directions(options).len() + of(Subject::Pixel)
-}
-
-fn formats(options: &Options) -> impl Iterator<Item = Format> + '_ {
-    Format::ALL.into_iter().filter(|&format| options.wants_format(format))
-}
-
-fn directions(options: &Options) -> Vec<(Method, Format)> {
-    let methods = Method::ALL.into_iter().filter(|method| options.wants_method(method.name()));
-    methods.flat_map(|method| formats(options).map(move |format| (method, format))).collect()
-}
-
-fn pixels(options: &Options) -> Vec<(Shading, Format)> {
-    let methods = Shading::ALL.into_iter().filter(|method| options.wants_method(method.name()));
-    methods.flat_map(|method| formats(options).map(move |format| (method, format))).collect()
+    of(Subject::Direction) * options.directions().len() + of(Subject::Pixel)
 }
 
 fn inputs(options: &Options) -> [usize; 3] {
@@ -76,7 +62,8 @@ fn inputs(options: &Options) -> [usize; 3] {
 /// All of them, on all cores.
 pub fn measure(options: &Options, progress: &ProgressBar) -> Vec<CurveRow> {
     let (lit, shaded): (Vec<_>, Vec<_>) = places().into_iter().partition(|place| place.subject == Subject::Direction);
-    let lit: Vec<_> = directions(options)
+    let lit: Vec<_> = options
+        .directions()
         .into_iter()
         .flat_map(|(method, format)| lit.iter().map(move |&place| Direction { place, method, format, options }))
         .collect();
@@ -117,14 +104,11 @@ impl Place {
                 at: self.at(),
                 error_max: found.max,
                 error_rms: found.rms(),
-                model_max: Shading::ALL
-                    .iter()
-                    .position(|&one| one == method)
-                    .map_or(f64::NAN, |place| models[place].max),
+                model_max: models[method as usize].max,
                 samples: found.samples,
             }
         };
-        pixels(options).into_iter().map(row).collect()
+        options.highlights().into_iter().map(row).collect()
     }
 }
 

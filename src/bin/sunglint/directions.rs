@@ -35,12 +35,12 @@ pub fn steps(options: &Options) -> usize {
 
 /// How many rows there are.
 pub fn rows(options: &Options) -> usize {
-    wanted(options).count() * of_all(options).len()
+    wanted(options).count() * options.directions().len()
 }
 
 /// The lights that were asked for; none where no direction was.
 pub fn wanted(options: &Options) -> impl Iterator<Item = Light> {
-    let lights = if of_all(options).is_empty() { Vec::new() } else { options.lights() };
+    let lights = if options.directions().is_empty() { Vec::new() } else { options.lights() };
     lights.into_iter()
 }
 
@@ -53,7 +53,7 @@ fn rounds(options: &Options) -> usize {
 pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<Row> {
     let contenders: Vec<_> = wanted(options)
         .flat_map(|light| {
-            of_all(options).into_iter().map(move |(method, format)| Judge { light, method, format, options })
+            options.directions().into_iter().map(move |(method, format)| Judge { light, method, format, options })
         })
         .collect();
     workers::map(&contenders, progress, |&contender| {
@@ -65,9 +65,9 @@ pub fn errors(options: &Options, progress: &ProgressBar) -> Vec<Row> {
 
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [Row], options: &Options, progress: &ProgressBar) {
-    for (light, rows) in wanted(options).zip(rows.chunks_mut(of_all(options).len().max(1))) {
+    for (light, rows) in wanted(options).zip(rows.chunks_mut(options.directions().len().max(1))) {
         progress.set_message(format!("timing, {}", light.name));
-        let of_all = of_all(options).into_iter();
+        let of_all = options.directions().into_iter();
         let contenders: Vec<_> =
             of_all.map(|(method, format)| contender(method, format, &light, Pace::Independent)).collect();
         let costs = clock::costs(&contenders, &baseline(&light), rounds(options), progress);
@@ -75,12 +75,6 @@ pub fn add_costs(rows: &mut [Row], options: &Options, progress: &ProgressBar) {
             (row.cost, row.cost_low, row.cost_high) = cost.figures();
         }
     }
-}
-
-/// The methods and formats that were asked for, in the order of the rows.
-fn of_all(options: &Options) -> Vec<(Method, Format)> {
-    let of_all = Method::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
-    of_all.filter(|(method, format)| options.wants_method(method.name()) && options.wants_format(*format)).collect()
 }
 
 /// f32 `factored` under `light`, whose time is the unit of all costs.

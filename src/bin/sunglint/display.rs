@@ -24,7 +24,7 @@ pub fn difference(levels: impl Iterator<Item = [f64; 2]>) -> Difference {
 }
 
 /// What sRGB makes of a level (IEC 61966-2-1), both from 0 to 1; levels beyond are clipped.
-fn srgb(level: f64) -> f64 {
+pub fn srgb(level: f64) -> f64 {
     let level = level.clamp(0.0, 1.0);
     if level <= 0.003_130_8 { 12.92 * level } else { 1.055 * level.powf(1.0 / 2.4) - 0.055 }
 }

@@ -93,7 +93,7 @@ impl Filter {
 
     /// Whether a line of counts is of what is to be measured.
     pub fn wants_count(&self, count: &chip::Row) -> bool {
-        let format = Format::ALL.into_iter().find(|format| format.name() == count.format);
+        let format = Format::named(count.format);
         let format = format.map_or(self.format.is_empty(), |format| self.wants_format(format));
         format && self.wants_method(count.function.strip_prefix(PIXEL).unwrap_or(count.function))
     }
@@ -179,8 +179,7 @@ pub fn named(names: Vec<&'static str>) -> impl TypedValueParser<Value = &'static
 
 /// Takes the name of a format, in any case.
 pub fn format_name() -> impl TypedValueParser<Value = Format> {
-    named(Format::ALL.map(Format::name).into())
-        .map(|name| Format::ALL.into_iter().find(|format| format.name() == name).unwrap_or(Format::F64))
+    named(Format::ALL.map(Format::name).into()).map(|name| Format::named(name).unwrap_or(Format::F64))
 }
 
 /// Takes a light by its radius over distance.

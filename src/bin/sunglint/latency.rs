@@ -24,7 +24,7 @@ pub fn add(study: &mut Study, options: &Options, progress: &ProgressBar) {
         let rows = study.rows.iter_mut().filter(|row| row.light == light.name);
         let (latencies, contenders): (Vec<_>, Vec<_>) = rows
             .filter_map(|row| {
-                let (method, format) = (method(&row.method)?, format(&row.format)?);
+                let (method, format) = (Method::named(&row.method)?, Format::named(&row.format)?);
                 Some((&mut row.latency, directions::contender(method, format, &light, Pace::Waiting)))
             })
             .unzip();
@@ -35,7 +35,7 @@ pub fn add(study: &mut Study, options: &Options, progress: &ProgressBar) {
         let rows = study.pixels.iter_mut().filter(|row| row.case == case.name);
         let (latencies, contenders): (Vec<_>, Vec<_>) = rows
             .filter_map(|row| {
-                let (method, format) = (shading(&row.method)?, format(&row.format)?);
+                let (method, format) = (Shading::named(&row.method)?, Format::named(&row.format)?);
                 Some((&mut row.latency, pixels::contender(method, format, &case, Pace::Waiting)))
             })
             .unzip();
@@ -53,18 +53,6 @@ fn set(latencies: Vec<&mut f64>, contenders: &[Contender], light: &Light, option
     for (latency, cost) in latencies.into_iter().zip(costs) {
         *latency = cost.median;
     }
-}
-
-fn method(name: &str) -> Option<Method> {
-    Method::ALL.into_iter().find(|method| method.name() == name)
-}
-
-fn shading(name: &str) -> Option<Shading> {
-    Shading::ALL.into_iter().find(|method| method.name() == name)
-}
-
-fn format(name: &str) -> Option<Format> {
-    Format::ALL.into_iter().find(|format| format.name() == name)
 }
 
 #[cfg(test)]

@@ -45,7 +45,7 @@ pub fn steps(options: &Options) -> usize {
 
 /// Name and ratio of the lights that were asked for; none where no highlight was.
 fn lights(options: &Options) -> Vec<(&'static str, f64)> {
-    let wanted = Shading::ALL.into_iter().any(|method| options.wants_method(method.name()));
+    let wanted = options.shadings().next().is_some();
     match options.filter.own() {
         _ if !wanted => Vec::new(),
         None => LIGHTS.into_iter().filter(|light| options.wants(light)).map(|light| (light, ratio(light))).collect(),

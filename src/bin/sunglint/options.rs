@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 use sunglint::trial::gloss::Case;
-use sunglint::trial::{Format, Light};
+use sunglint::trial::{Format, Light, Method, Shading};
 
 use crate::failure::Failure;
 use crate::filter::Filter;
@@ -125,6 +125,31 @@ impl Options {
     /// Whether `format` is to be measured.
     pub fn wants_format(&self, format: Format) -> bool {
         self.filter.wants_format(format)
+    }
+
+    /// The formats that are to be measured.
+    pub fn formats(&self) -> impl Iterator<Item = Format> + '_ {
+        Format::ALL.into_iter().filter(|&format| self.wants_format(format))
+    }
+
+    /// The direction methods that are to be measured.
+    pub fn methods(&self) -> impl Iterator<Item = Method> + '_ {
+        Method::ALL.into_iter().filter(|method| self.wants_method(method.name()))
+    }
+
+    /// The highlight methods that are to be measured.
+    pub fn shadings(&self) -> impl Iterator<Item = Shading> + '_ {
+        Shading::ALL.into_iter().filter(|method| self.wants_method(method.name()))
+    }
+
+    /// Those of directions in those formats, method by method.
+    pub fn directions(&self) -> Vec<(Method, Format)> {
+        self.methods().flat_map(|method| self.formats().map(move |format| (method, format))).collect()
+    }
+
+    /// Those of highlights in those formats, method by method.
+    pub fn highlights(&self) -> Vec<(Shading, Format)> {
+        self.shadings().flat_map(|method| self.formats().map(move |format| (method, format))).collect()
     }
 
     /// Whether `light` is to be measured.

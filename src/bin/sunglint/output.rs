@@ -65,8 +65,9 @@ pub fn prepare(out: &Path) -> Result<(), WriteError> {
 
 /// Writes every file of `study` into the folder `out`, and gives the path of the report.
 ///
-/// All are written into a folder within `out` first, so that a full disc or Ctrl-C leaves `out` as it was. Then they are
-/// renamed one after the other, the report last; only what fails or kills the process there leaves old files among new.
+/// All are written into a folder within `out` first, so that a full disc or Ctrl-C leaves `out` as it was. Then they
+/// are renamed one after the other, the report last; only what fails or kills the process there leaves old files among
+/// new.
 pub fn write(study: &Study, out: &Path) -> Result<PathBuf, WriteError> {
     let at = |cause: io::Error| failure(out, cause);
     let writing = Writing::begin().map_err(at)?;

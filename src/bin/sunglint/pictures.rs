@@ -5,7 +5,6 @@ mod colour;
 mod contact;
 mod failing;
 mod figures;
-mod flushing;
 mod lit;
 mod patch;
 mod raster;
@@ -141,9 +140,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The lights whose directions are drawn: the first, unless others were asked for.
+/// The lights whose directions are drawn: the first, unless others were asked for; none that is a point.
 fn lights(options: &Options) -> Vec<Light> {
-    let lights = options.lights();
+    let lights: Vec<_> = options.lights().into_iter().filter(|light| light.light.angular_radius() > 0.0).collect();
     if options.filter.light.is_some() { lights } else { lights.into_iter().take(1).collect() }
 }
 

@@ -31,12 +31,6 @@ const QUICK_PIXELS: [usize; 3] = [800, 400, 200];
 /// Pixels across the ball whose pixels make a batch.
 const SIDE: u32 = 32;
 
-/// The methods and formats that were asked for, in the order of the rows of a case.
-fn of_all(options: &Options) -> Vec<(Shading, Format)> {
-    let of_all = Shading::ALL.into_iter().flat_map(|method| Format::ALL.map(|format| (method, format)));
-    of_all.filter(|(method, format)| options.wants_method(method.name()) && options.wants_format(*format)).collect()
-}
-
 /// Names of the cases, which begin with the light's.
 pub fn names() -> impl Iterator<Item = &'static str> {
     CASES.iter().map(|case| case.name)
@@ -49,12 +43,12 @@ pub fn steps(options: &Options) -> usize {
 
 /// How many rows there are.
 pub fn rows(options: &Options) -> usize {
-    wanted(options).len() * of_all(options).len()
+    wanted(options).len() * options.highlights().len()
 }
 
 /// The cases that were asked for; none where no lit pixel was.
 pub fn wanted(options: &Options) -> Vec<Case> {
-    if of_all(options).is_empty() { Vec::new() } else { options.cases() }
+    if options.highlights().is_empty() { Vec::new() } else { options.cases() }
 }
 
 fn pixels(options: &Options) -> [usize; 3] {
@@ -80,7 +74,7 @@ pub fn errors(truths: &Truths, options: &Options, progress: &ProgressBar) -> Vec
         .flat_map(|(&case, models)| {
             let judge =
                 move |(method, format)| Judge { case, method, format, model: models[method as usize], truths, options };
-            of_all(options).into_iter().map(judge)
+            options.highlights().into_iter().map(judge)
         })
         .collect();
     workers::map(&contenders, progress, |&contender| {
@@ -92,9 +86,9 @@ pub fn errors(truths: &Truths, options: &Options, progress: &ProgressBar) -> Vec
 
 /// Adds the costs to `rows`, which are those of [`errors`].
 pub fn add_costs(rows: &mut [PixelRow], options: &Options, progress: &ProgressBar) {
-    for (case, rows) in wanted(options).iter().zip(rows.chunks_mut(of_all(options).len().max(1))) {
+    for (case, rows) in wanted(options).iter().zip(rows.chunks_mut(options.highlights().len().max(1))) {
         progress.set_message(format!("timing, {}", case.name));
-        let of_all = of_all(options).into_iter();
+        let of_all = options.highlights().into_iter();
         let contenders: Vec<_> =
             of_all.map(|(method, format)| contender(method, format, case, Pace::Independent)).collect();
         let baseline = directions::baseline(&Light { name: case.name, light: case.light });

@@ -6,7 +6,6 @@ mod console;
 mod cordic;
 mod distant_light;
 mod fast_root;
-mod flushing;
 mod mediump;
 mod pixels;
 mod point;
@@ -152,7 +151,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// The preset of a name, or all.
 fn named(name: Option<&str>) -> Result<Vec<&'static Preset>, Failure> {
-    let presets: Vec<_> = ALL.iter().filter(|preset| name.is_none_or(|name| name == preset.name)).collect();
+    let presets: Vec<_> =
+        ALL.iter().filter(|preset| name.is_none_or(|name| name.eq_ignore_ascii_case(preset.name))).collect();
     if presets.is_empty() {
         let names: Vec<_> = ALL.iter().map(|preset| preset.name).collect();
         let asked = name.unwrap_or_default();
@@ -211,7 +211,7 @@ mod tests {
         let message = failure.to_string();
         assert!(message.contains("'nothing'") && message.contains("console-16.16"), "{message}");
         assert_eq!(failure.code(), 2);
-        assert_eq!(named(Some("path-tracer-small-sun")).map(|found| found.len()).ok(), Some(1));
+        assert_eq!(named(Some("Path-tracer-small-sun")).map(|found| found.len()).ok(), Some(1));
         assert_eq!(named(None).map(|found| found.len()).ok(), Some(ALL.len()));
     }
 }

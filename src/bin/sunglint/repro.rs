@@ -84,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 impl Arguments {
     fn subject(&self) -> Result<Subject, Failure> {
         let Self { method, format, .. } = *self;
-        if let Some(method) = Method::ALL.into_iter().find(|one| one.name() == method) {
+        if let Some(method) = Method::named(method) {
             self.takes(
                 ["--r"],
                 [&self.r],
@@ -94,7 +94,7 @@ impl Arguments {
             let [l, r] = [self.lanes("--l", Some(&self.l))?, self.lanes("--r", self.r.as_deref())?];
             return Ok(Subject::Direction(Direction { method, format, light: self.light()?, l, r }));
         }
-        let method = Shading::ALL.into_iter().find(|one| one.name() == method).unwrap_or(Shading::None);
+        let method = Shading::named(method).unwrap_or(Shading::None);
         self.takes(["--n", "--v"], [&self.n, &self.v], ["--r"], [self.r.is_some()])?;
         let [n, v] = [self.lanes("--n", self.n.as_deref())?, self.lanes("--v", self.v.as_deref())?];
         let l = self.lanes("--l", Some(&self.l))?;
@@ -174,6 +174,8 @@ fn in_radii(angle: f64, light: &DistantLight) -> String {
 /// What of a budget an error uses up.
 fn used(error: f64, budget: Option<f64>, unit: &str) -> String {
     match budget {
+        // The answer is no number, or no direction.
+        Some(budget) if !error.is_finite() => format!("budget            {budget:e}{unit}, broken"),
         Some(budget) => format!("budget            {budget:e}{unit}, of which this is {:.1} %", error / budget * 100.0),
         None => "budget            none: the study promises nothing here".to_owned(),
     }

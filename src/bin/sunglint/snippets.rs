@@ -60,9 +60,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The snippet of a method, whose name may have an underscore in place of the blank.
+/// The snippet of a method, whose name may be in any case and have an underscore in place of the blank.
 fn find(method: &str, language: Language) -> Result<&'static Snippet, Failure> {
-    let plain = |name: &str| name.replace(' ', "_");
+    let plain = |name: &str| name.replace(' ', "_").to_lowercase();
     let mut there = ALL.iter().filter(|snippet| plain(snippet.method) == plain(method)).peekable();
     if there.peek().is_none() {
         let message = format!("there is no snippet of '{method}'; there are: {}", methods().join(", "));
@@ -93,7 +93,7 @@ mod tests {
             let found = find(snippet.method, snippet.language).expect("it is there");
             assert_eq!(found.file, snippet.file);
         }
-        assert_eq!(find("disc_ggx_dir", Language::Wgsl).expect("by its other name").file, "disc_ggx_dir.wgsl");
+        assert_eq!(find("Disc_GGX_dir", Language::Wgsl).expect("by its other name").file, "disc_ggx_dir.wgsl");
     }
 
     #[test]

@@ -12,9 +12,10 @@ use indicatif::ProgressBar;
 use serde::Serialize;
 use sunglint::SUN;
 use sunglint::trial::emulated::Word;
-use sunglint::trial::{Format, Light, Method, lights};
+use sunglint::trial::{Light, Shading, lights};
 
 use crate::failure::Failure;
+use crate::filter;
 use crate::options::Options;
 use crate::workers;
 
@@ -78,7 +79,7 @@ const SHOWN: [&str; 2] = [lights::STUDY[0].name, lights::STUDY[3].name];
 /// Steps of the progress bar in the main job.
 pub fn steps(options: &Options) -> usize {
     let (directions, pixels) = (direction_lights(options).len(), cases(options).len());
-    let methods = directions * methods(options).len() + pixels * highlights(options).len();
+    let methods = directions * options.methods().count() + pixels * highlights(options).len();
     methods * Word::ALL.len() + pixels
 }
 
@@ -86,7 +87,7 @@ pub fn steps(options: &Options) -> usize {
 pub fn measure(options: &Options, progress: &ProgressBar) -> Vec<SweepRow> {
     let mut subjects = Vec::new();
     for light in direction_lights(options) {
-        subjects.extend(methods(options).into_iter().map(|method| Subject::Direction { light, method }));
+        subjects.extend(options.methods().map(|method| Subject::Direction { light, method }));
     }
     subjects.extend(pixels(&cases(options), options, progress));
     in_all(&subjects, &words(), options, progress)
@@ -118,7 +119,7 @@ fn words() -> Vec<Numbers> {
 
 /// The formats that were asked for.
 fn formats(options: &Options) -> Vec<Numbers> {
-    Format::ALL.into_iter().filter(|&format| options.wants_format(format)).map(Numbers::Format).collect()
+    options.formats().map(Numbers::Format).collect()
 }
 
 /// The highlight methods that were asked for, on surfaces under lights; a step of `progress` for each of these.
@@ -139,7 +140,7 @@ fn direction_lights(options: &Options) -> Vec<Light> {
 
 /// Lights and roughnesses of the main job's pixels.
 fn cases(options: &Options) -> Vec<(Light, f64)> {
-    let own = options.lights().into_iter().find(|light| is_own(light) && light.light.cos() >= 0.0);
+    let own = options.lights().into_iter().find(|light| is_own(light) && filter::has_pixels(&light.light));
     let light = own.unwrap_or(Light { name: "Sun", light: SUN });
     let wanted = |alpha: &f64| own.is_some() || options.wants(&format!("{}, alpha {alpha}", light.name));
     ALPHAS.into_iter().filter(wanted).map(|alpha| (light, alpha)).collect()
@@ -150,12 +151,9 @@ fn is_own(light: &Light) -> bool {
     lights::STUDY.iter().all(|known| known.name != light.name)
 }
 
-fn methods(options: &Options) -> Vec<Method> {
-    Method::ALL.into_iter().filter(|method| options.wants_method(method.name())).collect()
-}
-
+/// Names of the highlight methods that were asked for.
 fn highlights(options: &Options) -> Vec<&'static str> {
-    HIGHLIGHTS.into_iter().map(sunglint::trial::Shading::name).filter(|name| options.wants_method(name)).collect()
+    HIGHLIGHTS.into_iter().map(Shading::name).filter(|name| options.wants_method(name)).collect()
 }
 
 #[cfg(test)]
@@ -164,6 +162,7 @@ mod tests {
     use clap::Parser;
     use fixed::types::I2F14;
     use sunglint::DistantSphere;
+    use sunglint::trial::{Format, Method};
     use sunglint::trial::{formula, input, judge_code};
 
     use crate::options::{Cli, Command};
@@ -264,7 +263,8 @@ mod tests {
             (&["--light", "lamp 0.3"], "Sun from Mars"),
             (&["--for", "pixel", "--method", "cap"], "karis, disc_ggx dir, cone_ggx"),
             (&["--method", "karis"], "epic, factored, disc, cap"),
-            (&["--for", "pixel", "--angle", "200"], "200 degrees"),
+            (&["--for", "pixel", "--angle", "200"], "angle 200 cannot light a roughness"),
+            (&["--for", "pixel", "--ratio", "1e-300"], "1e-6 to 1"),
         ] {
             let Err(Failure::Usage(message)) = arguments(given).question() else { panic!("{given:?} is allowed") };
             assert!(message.contains(said), "{message}");

@@ -161,6 +161,7 @@ fn add_group(table: &mut Table, rows: impl Iterator<Item = Vec<String>>) {
     table.add_rows(rows);
 }
 
+/// Figures stand under each other by their last digit.
 pub fn align_right(table: &mut Table, columns: std::ops::Range<usize>) {
     for column in table.column_iter_mut().skip(columns.start).take(columns.len()) {
         column.set_cell_alignment(CellAlignment::Right);

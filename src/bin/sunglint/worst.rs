@@ -9,7 +9,7 @@ use crate::key::in_order;
 use crate::options::Options;
 use crate::pixels::Truths;
 use crate::result::{Bound, KernelRow, PixelRow, Row};
-use crate::{directions, kernels, number, pixels, print, progress, repro, table};
+use crate::{directions, kernels, number, pixels, print, progress, table};
 
 /// `sunglint worst`.
 #[derive(Args, Clone, Debug)]
@@ -57,6 +57,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let progress = progress(&arguments.options);
     let rows = rows(&arguments.options, &progress);
     progress.finish_and_clear();
+    if rows.is_empty() {
+        return Err(Failure::Usage("nothing has that method, format and light; see sunglint list".to_owned()));
+    }
     let text = if arguments.json { rows.iter().map(json).collect() } else { text(&rows) };
     print(text.trim_end());
     Ok(())
@@ -75,80 +78,58 @@ pub fn rows(options: &Options, progress: &ProgressBar) -> Vec<Worst> {
     directions.chain(pixels).chain(kernels.iter().map(|row| of_kernel(row, options))).collect()
 }
 
-/// What is known of the worst input: its bound, error, the count of inputs and its command. Where nothing worse is
-/// known it is that of this run.
-fn known(
-    (bound, error, samples, repro): (Bound, f64, u64, &String),
-    found: (f64, u64, String),
-) -> (Bound, f64, u64, String) {
-    match repro.is_empty() {
-        false => (bound, error, samples, repro.clone()),
-        true => (Bound::Sampled, found.0, found.1, found.2),
-    }
-}
-
 fn seed(bound: Bound, options: &Options) -> Option<u64> {
     (bound == Bound::Sampled).then_some(options.seed)
 }
 
 fn of_direction(row: &Row, options: &Options) -> Worst {
-    let command = repro::of_direction(&row.light, &row.method, &row.format, [&row.worst_l, &row.worst_r]);
-    let (bound, error, samples, repro) =
-        known((row.bound, row.bound_max, row.bound_samples, &row.repro), (row.error_max, row.samples, command));
     Worst {
         subject: "direction",
         light: row.light.clone(),
         method: row.method.clone(),
         format: row.format.clone(),
-        error,
+        error: row.bound_max,
         unit: "rad".to_owned(),
         failure: row.failure.clone(),
-        bound,
-        samples,
-        seed: seed(bound, options),
-        input: vectors(&repro),
-        repro,
+        bound: row.bound,
+        samples: row.bound_samples,
+        seed: seed(row.bound, options),
+        input: vectors(&row.repro),
+        repro: row.repro.clone(),
     }
 }
 
 fn of_pixel(row: &PixelRow, options: &Options) -> Worst {
-    let vectors_of_run = [row.worst_n.as_str(), &row.worst_v, &row.worst_l];
-    let command = repro::of_pixel(&row.case, &row.method, &row.format, vectors_of_run);
-    let (bound, error, samples, repro) =
-        known((row.bound, row.bound_max, row.bound_samples, &row.repro), (row.error_max, row.samples, command));
     Worst {
         subject: "lit pixel",
         light: row.case.clone(),
         method: row.method.clone(),
         format: row.format.clone(),
-        error,
+        error: row.bound_max,
         unit: "relative".to_owned(),
         failure: row.failure.clone(),
-        bound,
-        samples,
-        seed: seed(bound, options),
-        input: vectors(&repro),
-        repro,
+        bound: row.bound,
+        samples: row.bound_samples,
+        seed: seed(row.bound, options),
+        input: vectors(&row.repro),
+        repro: row.repro.clone(),
     }
 }
 
 fn of_kernel(row: &KernelRow, options: &Options) -> Worst {
-    let command = repro::of_kernel(&row.kernel, &row.format, options);
-    let (bound, error, samples, repro) =
-        known((row.bound, row.bound_max, row.bound_samples, &row.repro), (row.error_max, row.samples, command));
     Worst {
         subject: "building block",
         light: String::new(),
         method: row.kernel.clone(),
         format: row.format.clone(),
-        error,
+        error: row.bound_max,
         unit: row.unit.clone(),
         failure: None,
-        bound,
-        samples,
-        seed: seed(bound, options),
+        bound: row.bound,
+        samples: row.bound_samples,
+        seed: seed(row.bound, options),
         input: row.worst_input.clone(),
-        repro,
+        repro: row.repro.clone(),
     }
 }
 
@@ -213,18 +194,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_known_beyond_this_run_comes_first() {
-        let row = Row { repro: String::new(), ..sample::row("cap", "f32", 1.0, 1e-8) };
-        let found = of_direction(&row, &options());
-        assert_eq!(
-            (found.error, found.samples, how_known(&found)),
-            (1e-8, 1000, "sampled, 1\u{202f}000, seed 1".into())
-        );
+    fn a_seed_is_said_of_what_was_sampled_alone() {
         let repro = "sunglint repro cap f32 --light 'Sun from Earth' --l '1 2 3' --r '4 5 6'".to_owned();
-        let known = Row { bound: Bound::Searched, bound_max: 2e-8, bound_samples: 1_000_000, repro, ..row };
-        let found = of_direction(&known, &options());
+        let searched = Row { bound_max: 2e-8, repro, ..sample::row("cap", "f32", 1.0, 1e-8) };
+        let found = of_direction(&searched, &options());
         assert_eq!((found.error, found.seed, found.input.as_str()), (2e-8, None, "l 1 2 3, r 4 5 6"));
         assert!(how_known(&found).starts_with("searched"));
+        let sampled = Row { bound: Bound::Sampled, bound_samples: 1000, ..searched };
+        assert_eq!(how_known(&of_direction(&sampled, &options())), "sampled, 1\u{202f}000, seed 1");
     }
 
     #[test]

@@ -6,17 +6,24 @@ use crate::real::float::{INVERSE_PI, PI, TWICE_PI};
 use crate::real::{Constant, Float, STEEP_COSINE, Scalar};
 
 /// A float of `DIGITS` digits of the significand (2 to 24, the hidden one included) and `EXPONENT` bits of the exponent
-/// (5 or 8); where `FLUSHING`, numbers below the least normal one are zero.
+/// (5 or 8); where `FLUSHING`, numbers below the least normal one are zero. Where not `SCALED`, lengths are squared as
+/// they are, without [`Float::SCALE`] and [`Float::TINY`].
 ///
-/// Every operation is done in f64 and rounded to nearest, ties to even, once more. That gives what one rounding would: a
-/// sum, product, quotient or root of numbers of `p` digits either is a tie or is farther from every tie than f64, whose
-/// 53 digits are at least `2 p + 2`, can round it (S. Figueroa, "When is double rounding innocuous?", 1995). Where the
-/// answer is subnormal, ties have fewer digits and lie farther apart: sums and products are exact in f64 there, and
-/// quotients keep their distance; no root is subnormal. `tests/emulated.rs` tries it against f16 and f32.
+/// Every operation is done in f64 and rounded to nearest, ties to even, once more. That gives what one rounding would:
+/// a sum, product, quotient or root of numbers of `p` digits either is a tie or is farther from every tie than f64,
+/// whose 53 digits are at least `2 p + 2`, can round it (S. Figueroa, "When is double rounding innocuous?", 1995).
+/// Where the answer is subnormal, ties have fewer digits and lie farther apart: sums and products are exact in f64
+/// there, and quotients keep their distance; no root is subnormal. `tests/emulated.rs` tries it against f16 and f32.
 ///
 /// Flushed is what has been rounded; since constants and conversions flush as well, no argument is ever subnormal.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Narrow<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool>(f64);
+pub struct Narrow<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool, const SCALED: bool = true>(f64);
+
+/// f16 on hardware that flushes subnormals to zero, as many phones' GPUs do.
+pub type FlushingF16 = Narrow<11, 5, true>;
+
+/// The same without the scale that keeps squares normal.
+pub type UnscaledF16 = Narrow<11, 5, true, false>;
 
 /// `2^exponent`, of a normal f64.
 const fn power(exponent: i32) -> f64 {
@@ -28,7 +35,9 @@ const fn of_range<const EXPONENT: u32>(narrow: i32, wide: i32) -> f64 {
     power(if EXPONENT == 5 { narrow } else { wide })
 }
 
-impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool> Narrow<DIGITS, EXPONENT, FLUSHING> {
+impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool, const SCALED: bool>
+    Narrow<DIGITS, EXPONENT, FLUSHING, SCALED>
+{
     /// The greatest power of two that is finite.
     const GREATEST_POWER: i32 = (1 << (EXPONENT - 1)) - 1;
 
@@ -81,8 +90,8 @@ impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool> Narrow<DIGITS
 // A macro, since an operator is a trait each.
 macro_rules! operator {
     ($operator:ident, $function:ident, $sign:tt) => {
-        impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool> $operator
-            for Narrow<DIGITS, EXPONENT, FLUSHING>
+        impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool, const SCALED: bool> $operator
+            for Narrow<DIGITS, EXPONENT, FLUSHING, SCALED>
         {
             type Output = Self;
 
@@ -99,7 +108,9 @@ operator!(Sub, sub, -);
 operator!(Mul, mul, *);
 operator!(Div, div, /);
 
-impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool> Scalar for Narrow<DIGITS, EXPONENT, FLUSHING> {
+impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool, const SCALED: bool> Scalar
+    for Narrow<DIGITS, EXPONENT, FLUSHING, SCALED>
+{
     const ZERO: Self = Self(0.0);
 
     const ONE: Self = Self(1.0);
@@ -158,14 +169,16 @@ impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool> Scalar for Na
 
 /// The constants follow from digits and range by the rules by which f16's and f32's are made, so that 11 digits and 5
 /// bits, and 24 and 8, have the very same.
-impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool> Float for Narrow<DIGITS, EXPONENT, FLUSHING> {
+impl<const DIGITS: u32, const EXPONENT: u32, const FLUSHING: bool, const SCALED: bool> Float
+    for Narrow<DIGITS, EXPONENT, FLUSHING, SCALED>
+{
     const FORMAT: &'static str = "emulated float";
 
     const STEEP: [Self; 2] = [Self::rounded(-STEEP_COSINE), Self::rounded(STEEP_COSINE)];
 
-    const SCALE: Self = Self::rounded(of_range::<EXPONENT>(6, 0));
+    const SCALE: Self = if SCALED { Self::rounded(of_range::<EXPONENT>(6, 0)) } else { Self::ONE };
 
-    const TINY: Self = Self::rounded(of_range::<EXPONENT>(-3, -30));
+    const TINY: Self = if SCALED { Self::rounded(of_range::<EXPONENT>(-3, -30)) } else { Self::ONE };
 
     const SAFE_SQUARE: [Self; 2] =
         if EXPONENT == 5 { [Self(0.0625), Self(1024.0)] } else { [Self::rounded(1e-30), Self::rounded(1e30)] };

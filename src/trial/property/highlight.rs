@@ -119,7 +119,7 @@ impl Visitor for Exact {
 }
 
 fn format_of<T: Real>() -> Format {
-    Format::ALL.into_iter().find(|format| format.name() == T::NAME).unwrap_or(Format::F64)
+    Format::named(T::NAME).unwrap_or(Format::F64)
 }
 
 /// Any light, any roughness from 0 to 1, and vectors of any bits or of any direction: numbers all the same, and none

@@ -13,6 +13,7 @@ mod thumbnails;
 mod worst;
 
 use self::about::About;
+use self::measurement::Measurement;
 use self::subject::{Group, Subject};
 use super::cells::{escape, slug};
 use super::pack;
@@ -61,8 +62,10 @@ fn articles(study: &Study, group: Group) -> String {
 fn article(study: &Study, subject: Subject) -> String {
     let (name, about) = (subject.name(), subject.about());
     let measured = subject.measurements(study);
-    let parts =
-        if measured.is_empty() { "<p>Not measured in this run.</p>\n".to_owned() } else { parts(study, subject) };
+    let parts = match measured.is_empty() {
+        true => "<p>Not measured in this run.</p>\n".to_owned(),
+        false => parts(study, subject, &measured),
+    };
     format!(
         "<article id=\"method-{}\"><details>\n<summary><h4>{}</h4> <span>{}</span></summary>\n{}{parts}{}</details></article>\n",
         slug(name),
@@ -74,17 +77,16 @@ fn article(study: &Study, subject: Subject) -> String {
 }
 
 /// What was measured of a method: what is said of it plain, the rest packed.
-fn parts(study: &Study, subject: Subject) -> String {
-    let measured = subject.measurements(study);
+fn parts(study: &Study, subject: Subject, measured: &[Measurement]) -> String {
     let large = [
-        costs::table(study, subject, &measured),
+        costs::table(study, subject, measured),
         curves::charts(study, subject),
-        worst::table(study, subject, &measured),
+        worst::table(study, subject, measured),
         thumbnails::of(study, subject.name()),
     ];
     let precision =
-        if let Subject::Block(kernel) = subject { precision::paragraph(kernel, &measured) } else { String::new() };
-    place::paragraph(study, subject, &measured) + &precision + &pack::packed(&large.concat())
+        if let Subject::Block(kernel) = subject { precision::paragraph(kernel, measured) } else { String::new() };
+    place::paragraph(study, subject, measured) + &precision + &pack::packed(&large.concat())
 }
 
 /// What stands fast of a method: formula, ranges, use, name in the crate.

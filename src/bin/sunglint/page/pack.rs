@@ -1,8 +1,8 @@
-//! Parts of the page that are not shown at first, packed: `DecompressionStream` of the browser unpacks them when they are
-//! chosen.
+//! Parts of the page that are not shown at first, packed: `DecompressionStream` of the browser unpacks them when they
+//! are chosen.
 //!
-//! What is packed is any HTML; its titles, which repeat from figure to figure, stand once, before it. The script looks for
-//! packs in an element of class `figures`, and in any `details`, which is filled where it is first opened.
+//! What is packed is any HTML; its titles, which repeat from figure to figure, stand once, before it. The script looks
+//! for packs in an element of class `figures`, and in any `details`, which is filled where it is first opened.
 
 use std::io::{self, Write};
 

@@ -4,7 +4,7 @@ use indicatif::ProgressBar;
 use sunglint::Real;
 use sunglint::oracle;
 use sunglint::trial::gloss::{ALBEDO, Case, F0};
-use sunglint::trial::{Constants, Format, Light, Method, Shading, Visitor};
+use sunglint::trial::{Constants, Format, Light, Method, Visitor};
 
 use super::colour::Scale;
 use super::figures::Figures;
@@ -71,26 +71,20 @@ fn extent(patch: &Patch, across: &str) -> String {
 
 /// How many spheres the directions of a light are.
 pub fn directions_count(options: &Options) -> usize {
-    Method::ALL.iter().filter(|method| options.wants_method(method.name())).count() * formats(options).count()
+    options.directions().len()
 }
 
 /// How many spheres the lit pixels of a case are, their truths included.
 pub fn pixels_count(options: &Options) -> usize {
-    let methods = Shading::ALL.iter().filter(|method| options.wants_method(method.name())).count();
-    if methods == 0 { 0 } else { (methods + 1) * formats(options).count() }
+    let methods = options.shadings().count();
+    if methods == 0 { 0 } else { (methods + 1) * options.formats().count() }
 }
 
-/// The formats that are asked for.
-fn formats(options: &Options) -> impl Iterator<Item = Format> {
-    Format::ALL.into_iter().filter(|&format| options.wants_format(format))
-}
-
-/// Directions under `light`; nothing where that is a point or no method is asked for.
+/// Directions under `light`, which is no point; nothing where no method is asked for.
 pub fn directions(light: &Light, plan: Plan, progress: &ProgressBar) -> Option<Album> {
     let theta = light.light.angular_radius();
-    let methods = Method::ALL.into_iter().filter(|method| plan.options.wants_method(method.name()));
-    let items: Vec<_> = methods.flat_map(|method| formats(plan.options).map(move |format| (method, format))).collect();
-    if items.is_empty() || theta == 0.0 {
+    let items = plan.options.directions();
+    if items.is_empty() {
         return None;
     }
     let patch = Patch::about_the_highlight(RADII * theta);
@@ -127,8 +121,7 @@ impl Visitor for Mirror<'_> {
 
 /// Lit pixels of `case`; nothing where no method is asked for.
 pub fn pixels(case: &Case, plan: Plan, progress: &ProgressBar) -> Option<Album> {
-    let methods = Shading::ALL.into_iter().filter(|method| plan.options.wants_method(method.name()));
-    let items: Vec<_> = methods.flat_map(|method| formats(plan.options).map(move |format| (method, format))).collect();
+    let items = plan.options.highlights();
     if items.is_empty() {
         return None;
     }
@@ -139,7 +132,7 @@ pub fn pixels(case: &Case, plan: Plan, progress: &ProgressBar) -> Option<Album> 
         progress.inc(1);
         truth
     };
-    let truths: Vec<_> = formats(plan.options).map(|format| (format, truth_in(format))).collect();
+    let truths: Vec<_> = plan.options.formats().map(|format| (format, truth_in(format))).collect();
     let seen = extent(&lit::patch(case), "the patch about the highlight");
     let scene = format!("A sphere of albedo {ALBEDO} and reflectance {F0} under {}, {seen}", case.name);
     let drawn = workers::map(&items, progress, |&(method, format)| {

@@ -1,5 +1,7 @@
 //! Colours: of light, of errors, and of what is no number.
 
+use crate::display::{WHITES, srgb};
+
 /// Red, green and blue of 0 to 255, in sRGB.
 pub type Colour = [u8; 3];
 
@@ -28,11 +30,9 @@ pub fn of_level(level: f64) -> Colour {
     }
 }
 
-/// The code of sRGB (IEC 61966-2-1) for a share of the light of white.
+/// The number of 8 bits for a share of the light of white.
 fn encoded(linear: f64) -> u8 {
-    let linear = linear.clamp(0.0, 1.0);
-    let share = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-    (share * 255.0).round() as u8
+    (srgb(linear) * WHITES[0]).round() as u8
 }
 
 /// The decades of an error that have colours of their own.

@@ -4,9 +4,9 @@ use std::f64::consts::FRAC_1_PI;
 
 use sunglint::half::f16;
 use sunglint::highlight::smith;
+use sunglint::trial::emulated::FlushingF16;
 use sunglint::{Float, Real, Scalar};
 
-use super::flushing::Flushing;
 use super::pixels::{Found, Lanes, by_this_crate, cosines, half, measure as of_pixels};
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, per_cent};
 use super::{Effort, Preset};
@@ -80,7 +80,8 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
     let count = effort.count(2000, 40_000);
     let exact = PresetRow::new(TRUTH, "f64", "1 - (n.h)^2 a width off the middle", ALPHA * ALPHA);
     let step = PresetRow::new(TRUTH, "f16", "step of n.h below 1", f16::ONE.exact() - f16::from_bits(0x3bff).exact());
-    [vec![exact, step], rows_of::<f16>("f16", CURE, count), rows_of::<Flushing>("flushing f16", FAILS, count)].concat()
+    [vec![exact, step], rows_of::<f16>("f16", CURE, count), rows_of::<FlushingF16>("flushing f16", FAILS, count)]
+        .concat()
 }
 
 fn verdict(rows: &[PresetRow]) -> String {

@@ -3,9 +3,9 @@
 use std::f64::consts::FRAC_1_PI;
 
 use sunglint::half::f16;
+use sunglint::trial::emulated::FlushingF16;
 use sunglint::{Float, Real};
 
-use super::flushing::Flushing;
 use super::pixels::{Found, Lanes, by_this_crate, cosines, half, measure as of_pixels};
 use super::row::{CURE, FAILS, PresetRow, TRUTH, figure, per_cent};
 use super::{Axes, Effort, Preset};
@@ -68,10 +68,10 @@ fn judged(role: &'static str, form: &str, found: Found) -> [PresetRow; 2] {
 fn curve(count: usize) -> impl Iterator<Item = PresetRow> {
     ROUGHNESSES.into_iter().flat_map(move |roughness| {
         let forms = [
-            (format!("{PLAIN}, flushing f16"), plain::<Flushing>(roughness, count)),
+            (format!("{PLAIN}, flushing f16"), plain::<FlushingF16>(roughness, count)),
             (format!("{PLAIN}, f16"), plain::<f16>(roughness, count)),
             (format!("{PLAIN}, f32"), plain::<f32>(roughness, count)),
-            (format!("{OURS}, flushing f16"), ours::<Flushing>(roughness, count)),
+            (format!("{OURS}, flushing f16"), ours::<FlushingF16>(roughness, count)),
         ];
         forms.map(|(form, found)| PresetRow::point(&form, TWICE, roughness, per_cent(found.twice, found.pixels)))
     })
@@ -89,14 +89,14 @@ fn measure(effort: Effort) -> Vec<PresetRow> {
         PresetRow::new(TRUTH, "f16", "least number that is not flushed", 1.0 / 16384.0),
     ];
     for clamp in CLAMPS {
-        rows.extend(judged(FAILS, &form(PLAIN, "flushing f16", clamp), plain::<Flushing>(clamp, count)));
+        rows.extend(judged(FAILS, &form(PLAIN, "flushing f16", clamp), plain::<FlushingF16>(clamp, count)));
     }
     let found = plain::<f16>(least, count);
     let twice = PresetRow::new(FAILS, &form(PLAIN, "f16", least), TWICE, per_cent(found.twice, found.pixels));
     rows.push(twice.at_most(ALLOWED));
     rows.extend(judged(CURE, &form(PLAIN, "f32", least), plain::<f32>(least, count)));
     rows.extend(judged(CURE, &form(OURS, "f16", least), ours::<f16>(least, count)));
-    rows.extend(judged(CURE, &form(OURS, "flushing f16", least), ours::<Flushing>(least, count)));
+    rows.extend(judged(CURE, &form(OURS, "flushing f16", least), ours::<FlushingF16>(least, count)));
     rows.extend(curve(count / 4));
     rows
 }

@@ -1,11 +1,10 @@
 //! Presets on the terminal.
 
-use comfy_table::presets::NOTHING;
-use comfy_table::{CellAlignment, ContentArrangement, Table, TableComponent};
+use comfy_table::Table;
 
 use super::Preset;
 use super::row::{CURVE, PresetRow};
-use crate::number;
+use crate::{number, table};
 
 /// A value to two digits, or whole from a thousand on.
 pub fn shown(value: f64) -> String {
@@ -28,23 +27,13 @@ pub fn of(preset: &Preset, rows: &[PresetRow]) -> String {
 }
 
 fn table(rows: &[PresetRow]) -> Table {
-    let mut table = Table::new();
-    table.load_preset(NOTHING);
-    table.set_style(TableComponent::HeaderLines, '─');
-    table.set_style(TableComponent::MiddleHeaderIntersections, '─');
-    table.set_content_arrangement(ContentArrangement::Disabled);
-    table.set_header(["", "form", "measured", "value", "allowed"]);
+    let mut table = table::table(&["", "form", "measured", "value", "allowed"]);
     let cells = |row: &PresetRow| {
         let allowed = row.criterion.clone().unwrap_or_default();
         [row.role.to_owned(), row.form.clone(), row.measure.clone(), shown(row.value), allowed]
     };
     table.add_rows(rows.iter().filter(|row| row.role != CURVE).map(cells));
-    for column in table.column_iter_mut() {
-        column.set_padding((0, 1));
-    }
-    if let Some(column) = table.column_mut(3) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
+    table::align_right(&mut table, 3..4);
     table
 }
 

@@ -6,7 +6,7 @@ use sunglint::trial::{Format, Method, Shading};
 
 use super::arguments::Question;
 use super::measurement::Subject;
-use super::{Goal, SweepRow, formats, in_all, methods, pixels, words};
+use super::{Goal, SweepRow, formats, in_all, pixels, words};
 use crate::author::OURS;
 use crate::axis::{Axis, Price};
 use crate::call::Call;
@@ -72,9 +72,7 @@ fn subjects(question: &Question, options: &Options, progress: &ProgressBar) -> V
             progress.inc_length(1);
             pixels(&[(light, alpha)], options, progress)
         }
-        Goal::Edge | Goal::Direction => {
-            methods(options).into_iter().map(|method| Subject::Direction { light, method }).collect()
-        }
+        Goal::Edge | Goal::Direction => options.methods().map(|method| Subject::Direction { light, method }).collect(),
     }
 }
 
@@ -116,12 +114,12 @@ fn timed(rows: &[SweepRow], question: &Question, options: &Options, progress: &P
 
 /// The calls of a row of a format.
 fn contender(row: &SweepRow, question: &Question) -> Option<Contender> {
-    let format = Format::ALL.into_iter().find(|format| Some(format.name()) == row.format)?;
-    let direction = Method::ALL.into_iter().find(|method| method.name() == row.method);
+    let format = row.format.and_then(Format::named)?;
+    let direction = Method::named(&row.method);
     if let (Some(method), Goal::Edge | Goal::Direction) = (direction, question.goal) {
         return Some(directions::contender(method, format, &question.light, Pace::Independent));
     }
-    let method = Shading::ALL.into_iter().find(|method| method.name() == row.method)?;
+    let method = Shading::named(&row.method)?;
     let case = Case { name: "", light: question.light.light, alpha: question.alpha };
     Some(pixel_rows::contender(method, format, &case, Pace::Independent))
 }

@@ -2,14 +2,15 @@
 
 use clap::{Args, ValueEnum};
 use serde::Serialize;
-use sunglint::trial::Light;
 use sunglint::trial::chip::Core;
+use sunglint::trial::{Light, Method, Shading};
 
 use super::Goal;
 use super::measurement::HIGHLIGHTS;
 use crate::axis::Axis;
 use crate::directions;
 use crate::failure::Failure;
+use crate::filter;
 use crate::options::Options;
 
 /// The roughness of pixels where none is given: varnish.
@@ -99,18 +100,16 @@ impl Arguments {
         let alpha = self.options.filter.alpha.unwrap_or(ALPHA);
         let tolerance = goal.checked(self.tolerance.unwrap_or(goal.default_tolerance()))?;
         let light = self.options.lights().first().copied().ok_or_else(Self::no_light)?;
-        if goal == Goal::Pixel && light.light.cos() < 0.0 {
-            let angle = 2.0 * light.light.angular_radius().to_degrees();
-            return Err(Failure::Usage(format!(
-                "a light of {angle} degrees lights no pixel here: it has to be at most 180"
-            )));
+        if goal == Goal::Pixel && !filter::has_pixels(&light.light) {
+            return Err(filter::without_pixels(light));
         }
-        let highlights = HIGHLIGHTS.map(sunglint::trial::Shading::name);
-        if goal == Goal::Pixel && !highlights.iter().any(|name| self.options.wants_method(name)) {
-            return Err(Failure::Usage(format!("of lit pixels there are the methods {}", highlights.join(", "))));
+        if goal == Goal::Pixel && super::highlights(&self.options).is_empty() {
+            let names = HIGHLIGHTS.map(Shading::name).join(", ");
+            return Err(Failure::Usage(format!("of lit pixels there are the methods {names}")));
         }
-        if goal != Goal::Pixel && super::methods(&self.options).is_empty() {
-            return Err(Failure::Usage("of directions there are the methods epic, factored, disc, cap".to_owned()));
+        if goal != Goal::Pixel && self.options.methods().next().is_none() {
+            let names = Method::ALL.map(Method::name).join(", ");
+            return Err(Failure::Usage(format!("of directions there are the methods {names}")));
         }
         Ok(Question { light, alpha, goal, tolerance, on })
     }

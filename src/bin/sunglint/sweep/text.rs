@@ -1,18 +1,17 @@
 //! What `sunglint sweep` prints.
 
-use comfy_table::presets::NOTHING;
-use comfy_table::{CellAlignment, ContentArrangement, Table};
-use serde_json::{Value, json};
+use comfy_table::Table;
+use serde_json::json;
 
 use super::answer::{Answer, Priced};
 use super::arguments::Question;
 use super::{Family, Goal, SweepRow, fewest};
 use crate::axis::Axis;
-use crate::number;
+use crate::{number, table};
 
 /// The table and the sentence.
 pub fn plain(question: &Question, answer: &Answer) -> String {
-    format!("{}\n{}\n\n{}", heading(question), table(question, answer), sentence(question, answer))
+    format!("{}\n{}\n\n{}", heading(question), table(question, answer).trim_fmt(), sentence(question, answer))
 }
 
 fn heading(question: &Question) -> String {
@@ -27,17 +26,11 @@ fn heading(question: &Question) -> String {
 }
 
 fn table(question: &Question, answer: &Answer) -> Table {
-    let mut table = Table::new();
-    table.load_preset(NOTHING).set_content_arrangement(ContentArrangement::Disabled);
-    table.set_header(["method", "kind of number", "bits", "in all", "error"]);
+    let mut table = table::table(&["method", "kind of number", "bits", "in all", "error"]);
     for family in Family::all(&answer.words) {
         table.add_row(line(&family, question));
     }
-    for column in 2..5 {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
+    table::align_right(&mut table, 2..5);
     table
 }
 
@@ -100,7 +93,7 @@ fn place(question: &Question) -> String {
     }
 }
 
-/// The same for machines.
+/// The same for machines; JSON has null for what is infinite or no number.
 pub fn json(question: &Question, answer: &Answer) -> String {
     let Question { light, alpha, goal, tolerance, on } = *question;
     let fewest = |family: &Family| {
@@ -111,14 +104,14 @@ pub fn json(question: &Question, answer: &Answer) -> String {
             "exponent": family.first().exponent,
             "bits": row.map(|row| row.bits),
             "width": row.map(|row| row.width),
-            "error": finite(goal.error(row.unwrap_or(family.nearest(goal)))),
+            "error": goal.error(row.unwrap_or(family.nearest(goal))),
         })
     };
     let cheapest = |Priced { row, price }: &Priced| {
         json!({
             "method": row.method,
             "format": row.word,
-            "error": finite(goal.error(row)),
+            "error": goal.error(row),
             "cost": price.cost,
             "cost_unit": if on.axis() == Axis::Host { "calls of f32 factored" } else { "instructions" },
         })
@@ -139,9 +132,4 @@ pub fn json(question: &Question, answer: &Answer) -> String {
         "formats": answer.formats,
     });
     format!("{answer:#}")
-}
-
-/// A number as JSON has it, which is null for infinity.
-fn finite(value: f64) -> Value {
-    if value.is_finite() { json!(value) } else { Value::Null }
 }

@@ -22,12 +22,12 @@ pub fn paragraph(kernel: Kernel, measured: &[Measurement]) -> String {
     format!("<p><strong>Required elsewhere.</strong> {}</p>\n", sentences.join(" "))
 }
 
-/// The worst errors in units of the last place. Numbers of fixed point have 31 bits and an exponent, whatever the format
-/// of vectors; so of those only directions count.
+/// The worst errors in units of the last place. Numbers of fixed point have 31 bits and an exponent, whatever the
+/// format of vectors; so of those only directions count.
 fn places(kernel: Kernel, ours: &[&Measurement]) -> String {
     let of_vectors = kernel.unit() == "rad";
     let place = |one: &&&Measurement| {
-        let format = Format::ALL.into_iter().find(|format| format.name() == one.format)?;
+        let format = Format::named(one.format)?;
         let is_float = [Format::F64, Format::F32, Format::Micromath, Format::F16].contains(&format);
         let size = if kernel.unit() == ULP { 1.0 } else { format.step() };
         (of_vectors || is_float).then(|| format!("{} {}", escape(one.format), figure(one.max / size)))

@@ -13,7 +13,7 @@ use crate::result::Row;
 
 /// The most that the error of `measured` may be; none where it is known to fail, or where nothing is promised.
 pub fn of(subject: Subject, measured: &Measurement) -> Option<f64> {
-    let format = Format::ALL.into_iter().find(|format| format.name() == measured.format)?;
+    let format = Format::named(measured.format)?;
     if measured.failure.is_some() {
         return None;
     }

@@ -2,13 +2,13 @@
 
 use fixed::types::{I2F14, I2F30};
 use half::f16;
+use sunglint::trial::emulated::{FlushingF16, UnscaledF16};
 use sunglint::trial::gloss::{CASES, Case};
 use sunglint::trial::{Constants, Light, Method, Shading, lights};
 use sunglint::{Real, SUN};
 
 use super::{FLUSHING, Failing, Form, forms, sense};
 use crate::pictures::album::{PER_CENT, RELATIVE};
-use crate::pictures::flushing::Flushing;
 use crate::pictures::lit;
 use crate::pictures::patch::Patch;
 use crate::pictures::sphere::Sphere;
@@ -27,7 +27,7 @@ pub const ALL: [Failing; 10] = [
         forms: [form(FLUSHING, "squares as they are"), form(FLUSHING, "squares of 64 times the lengths")],
         scale: PER_CENT,
         sense: sense::width,
-        draw: |side| [mirror::<Flushing<false>>(Method::Cap, side), mirror::<Flushing<true>>(Method::Cap, side)],
+        draw: |side| [mirror::<UnscaledF16>(Method::Cap, side), mirror::<FlushingF16>(Method::Cap, side)],
     },
     Failing {
         name: "disc-f16",
@@ -78,7 +78,7 @@ pub const ALL: [Failing; 10] = [
         scale: RELATIVE,
         sense: sense::lost,
         draw: |side| {
-            beside::<Flushing<true>>(&FLUSHED, (&Patch::about_the_highlight(0.29), side), forms::subtracted(&FLUSHED))
+            beside::<FlushingF16>(&FLUSHED, (&Patch::about_the_highlight(0.29), side), forms::subtracted(&FLUSHED))
         },
     },
     Failing {
@@ -99,7 +99,7 @@ pub const ALL: [Failing; 10] = [
         forms: [form(FLUSHING, "alpha^2 / alpha'^2"), form(FLUSHING, "over alpha' twice, not over its square")],
         scale: RELATIVE,
         sense: sense::lost,
-        draw: |side| karis::<Flushing<true>>(&FLUSHED, side, forms::squares_divided(&FLUSHED)),
+        draw: |side| karis::<FlushingF16>(&FLUSHED, side, forms::squares_divided(&FLUSHED)),
     },
     Failing {
         name: "dim-light",
