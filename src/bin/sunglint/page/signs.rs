@@ -16,7 +16,7 @@ const SIGNS: [(&str, &str); 9] = [
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/>",
-        "<strong>plain</strong>: searched, by climbing from the worst of a million inputs",
+        "<strong>plain</strong>: searched, by climbing from random and from hard inputs, half a million or more",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/><circle cx=\"12\" cy=\"9\" r=\"1.8\" fill=\"#ffffff\"/>",
@@ -48,7 +48,7 @@ const SIGNS: [(&str, &str); 9] = [
     ),
     (
         "<path d=\"M0 9H24\" stroke=\"#6a4fb0\" stroke-width=\"1.6\" stroke-dasharray=\"2 3\"/>",
-        "<strong>standard</strong>: the precision that a standard of graphics asks for",
+        "<strong>standard</strong>: the precision that a standard of graphics asks of one number or one operation",
     ),
 ];
 
