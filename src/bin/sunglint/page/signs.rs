@@ -32,7 +32,7 @@ const SIGNS: [(&str, &str); 9] = [
         "<path d=\"M12 4.5L15.9 6.75V11.25L12 13.5L8.1 11.25V6.75Z\" fill=\"#0072b2\"/>\
          <path d=\"M12 6.5L14.2 7.75V10.25L12 11.5L9.8 10.25V7.75Z\" fill=\"#ffffff\"/>",
         "<strong>small and hollow, ideal</strong>: the true answer rounded into the format, at the cost of an empty call (at the \
-         left edge where that is not known, or far off): nothing can do better",
+         left edge where that is not known, or far off): a method without an error of its own",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#9a9a9a\"/>",
