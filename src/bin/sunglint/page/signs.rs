@@ -12,15 +12,16 @@ figures; click it for its method’s page. Marks that coincide are drawn inside 
 const SIGNS: [(&str, &str); 9] = [
     (
         "<circle cx=\"12\" cy=\"9\" r=\"7.6\" fill=\"#1c1c1c\"/><circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/>",
-        "<strong>dark rim</strong>: the bound of its error is exhaustive, every input was tried",
+        "<strong>dark rim</strong>: the worst known of it, which the box tells, is exhaustive: every input was tried",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/>",
-        "<strong>plain</strong>: searched, by climbing from random and from hard inputs, half a million or more",
+        "<strong>plain</strong>: that is searched, by climbing from random and from hard inputs, half a million or more. The mark \
+         stands at this run’s errors all the same",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/><circle cx=\"12\" cy=\"9\" r=\"1.8\" fill=\"#ffffff\"/>",
-        "<strong>dot in the middle</strong>: sampled, the random inputs of this run and hard ones",
+        "<strong>dot in the middle</strong>: that is sampled, the random inputs of this run and hard ones",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/><circle cx=\"12\" cy=\"9\" r=\"4\" fill=\"#ffffff\"/>\
