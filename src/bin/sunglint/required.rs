@@ -20,8 +20,11 @@ const ROOT: f64 = 2.0;
 
 /// What the page says of them.
 pub const SAID: &str = "GLES <em>mediump</em> is a relative error of 2<sup>−10</sup>, <em>lowp</em> an absolute one of \
-2<sup>−8</sup>. Vulkan (VK) allows sin and cos an absolute error of 2<sup>−11</sup> (32 bits) or 2<sup>−7</sup> (16 bits), \
-and inversesqrt 2 ULP.";
+2<sup>−8</sup>, both of one number: no standard bounds a whole direction or a lit pixel, so that these lines give a scale and \
+are no test to pass. A unit vector whose three lanes are each as far off as mediump allows has turned by up to 2<sup>−10</sup> \
+rad, which is the line; as lowp allows, by up to √3 times its line. Of a pixel, lowp’s line is that of one as bright as white. \
+Vulkan (VK) allows sin and cos an absolute error of 2<sup>−11</sup> (32 bits) or 2<sup>−7</sup> (16 bits) from −π to π, and \
+inversesqrt 2 ULP.";
 
 /// What a line is at the height of `error`.
 fn line(error: f64, name: &str) -> Line {

@@ -20,7 +20,7 @@ use crate::options::Options;
 use crate::workers;
 
 pub use arguments::Arguments;
-pub use fewest::{Family, fewest};
+pub use fewest::{Family, fewest, said};
 pub use goal::Goal;
 use measurement::{HIGHLIGHTS, Subject, Task};
 use numbers::Numbers;

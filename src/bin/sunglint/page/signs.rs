@@ -12,15 +12,16 @@ figures; click it for its method’s page. Marks that coincide are drawn inside 
 const SIGNS: [(&str, &str); 9] = [
     (
         "<circle cx=\"12\" cy=\"9\" r=\"7.6\" fill=\"#1c1c1c\"/><circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/>",
-        "<strong>dark rim</strong>: the bound of its error is exhaustive, every input was tried",
+        "<strong>dark rim</strong>: the worst known of it, which the box tells, is exhaustive: every input was tried",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/>",
-        "<strong>plain</strong>: searched, by climbing uphill over half a million inputs or more",
+        "<strong>plain</strong>: that is searched, by climbing from random and from hard inputs, half a million or more. The mark \
+         stands at this run’s errors all the same",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/><circle cx=\"12\" cy=\"9\" r=\"1.8\" fill=\"#ffffff\"/>",
-        "<strong>dot in the middle</strong>: sampled, the random inputs of this run and hard ones",
+        "<strong>dot in the middle</strong>: that is sampled, the random inputs of this run and hard ones",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#0072b2\"/><circle cx=\"12\" cy=\"9\" r=\"4\" fill=\"#ffffff\"/>\
@@ -32,7 +33,7 @@ const SIGNS: [(&str, &str); 9] = [
         "<path d=\"M12 4.5L15.9 6.75V11.25L12 13.5L8.1 11.25V6.75Z\" fill=\"#0072b2\"/>\
          <path d=\"M12 6.5L14.2 7.75V10.25L12 11.5L9.8 10.25V7.75Z\" fill=\"#ffffff\"/>",
         "<strong>small and hollow, ideal</strong>: the true answer rounded into the format, at the cost of an empty call (at the \
-         left edge where that is not known, or far off): nothing can do better",
+         left edge where that is not known, or far off): a method without an error of its own",
     ),
     (
         "<circle cx=\"12\" cy=\"9\" r=\"6\" fill=\"#9a9a9a\"/>",
@@ -48,7 +49,7 @@ const SIGNS: [(&str, &str); 9] = [
     ),
     (
         "<path d=\"M0 9H24\" stroke=\"#6a4fb0\" stroke-width=\"1.6\" stroke-dasharray=\"2 3\"/>",
-        "<strong>standard</strong>: the precision that a standard of graphics asks for",
+        "<strong>standard</strong>: the precision that a standard of graphics asks of one number or one operation",
     ),
 ];
 

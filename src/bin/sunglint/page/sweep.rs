@@ -7,7 +7,7 @@ use super::figures;
 use crate::key::in_order;
 use crate::number;
 use crate::result::Study;
-use crate::sweep::{Family, Goal, SweepRow, fewest};
+use crate::sweep::{self, Family, Goal, SweepRow, fewest};
 
 const INTRODUCTION: &str = "<p>Every method in words that types have and in words that none has: fixed point of 8 to 30 \
 fraction bits and two integer bits, floats of 8 to 24 digits with the exponent range of f16 (5 bits) or of f32 (8 bits), and the \
@@ -38,8 +38,9 @@ pub fn all(study: &Study) -> String {
     let [least, most] = [samples.clone().min(), samples.max()].map(|samples| number::count(samples.unwrap_or(0)));
     format!(
         "{INTRODUCTION}\n{}{figures}\n<p>Fewest fraction bits, or digits of the significand, that are within 10, 1 and 0.1 per \
-         cent, as are all longer words: of the radius at the worst, of a lit pixel’s value in the root mean square; \
-         in brackets the bits of a number in all. Tried on {least} to {most} inputs a word. <code>sunglint sweep</code> answers for \
+         cent, as are all longer words, formula and arithmetic together: of the radius at the worst, of a lit pixel’s value in \
+         the root mean square; 17–18 where 18 are enough, 16 are not, and 17 were not tried; in brackets the bits of a number in \
+         all, at the most. Tried on {least} to {most} inputs a word. <code>sunglint sweep</code> answers for \
          other lights, roughnesses and tolerances, with the cheapest format.</p>\n{}",
         cells::form(&cells::select("Light and surface", "case", &cases)),
         sortable("fewest-bits", &COLUMNS, &lines)
@@ -65,7 +66,7 @@ fn line(family: &Family) -> String {
     let (case, first) = (case(family.first()), family.first());
     let (goal, per_cent) = if first.alpha.is_some() { (Goal::Pixel, 100.0) } else { (Goal::Edge, 1.0) };
     let bits = TOLERANCES.map(|tolerance| match fewest(family, goal, tolerance / per_cent) {
-        Some(row) => cell(row.bits.into(), &format!("{} ({})", row.bits, row.width)),
+        Some(row) => cell(row.bits.into(), &format!("{} ({})", sweep::said(family, row), row.width)),
         None => cell(f64::NAN, "none"),
     });
     let nearest = family.nearest(goal);
@@ -98,7 +99,7 @@ mod tests {
         let rows = sample::sweep();
         let cap = line(&Family::all(&rows)[0]);
         // The errors of the sample halve with every bit, from 8 % in 8.
-        assert!(cap.contains(">8 (10)<") && cap.contains(">12 (14)<") && cap.contains(">none<"), "{cap}");
+        assert!(cap.contains(">≤ 8 (10)<") && cap.contains(">12 (14)<") && cap.contains(">none<"), "{cap}");
     }
 
     #[test]

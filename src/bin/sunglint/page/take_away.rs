@@ -13,7 +13,7 @@ const FILES: [(&str, &str); 16] = [
     ("kernels.csv", "One row a building block and number format."),
     ("quantities.csv", "One row a quantity of a light and number format."),
     ("chip.csv", "One row a function counted on microcontrollers: instructions, stack, bytes."),
-    ("anchors.csv", "What nothing can be cheaper or more exact than: the empty call and the rounded truth."),
+    ("anchors.csv", "What costs and errors can be compared with: the empty call and the rounded truth."),
     ("curves.csv", "Errors along the angle from the light and along its size."),
     ("sweep.csv", "Errors of every method in words of every length."),
     ("presets.csv", "Failures that were reported elsewhere, and their cures."),

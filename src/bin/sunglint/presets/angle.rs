@@ -10,8 +10,8 @@ use super::{Effort, Preset};
 /// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "angle-by-acos",
-    source: "opentk/opentk, issue 222 (2015), cured by a clamp; godotengine/godot, issue 8111 (2017); yoanlcq/vek, \
-             issue 47 (2020): no number for vectors that are parallel",
+    source: "opentk/opentk, issue 222 (2015), cured by a clamp; godotengine/godot, issue 8111 (2017): no number for \
+             vectors that are parallel",
     question: "What is the angle between a unit vector and itself, or one that is a Sun's radius away, in f32?",
     chart: None,
     measure,

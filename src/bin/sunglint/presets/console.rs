@@ -13,8 +13,9 @@ use super::{Effort, Preset};
 /// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "console-16.16",
-    source: "the product of GBA homebrew and of Skia's SkFixedMul_lowprec (src/core/SkScan_DAAPath.cpp, 2016); asked \
-             for on the djgpp list in July 1997, since a 16.16 product overflows 32 bits",
+    source: "FixedMul of id-Software/wolf3d (WOLFSRC/WOLFHACK.C, 1992) and SkFixedMul_lowprec of Skia \
+             (src/core/SkScan_DAAPath.cpp, 2016); asked for on the djgpp list in July 1997, since a 16.16 product \
+             overflows 32 bits",
     question: "Where is the Sun, and where does its disc end, in 16.16 without wide products?",
     chart: None,
     measure,

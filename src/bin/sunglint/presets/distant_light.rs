@@ -1,4 +1,4 @@
-//! The brightness of a distant light that keeps its illuminance, whatever its angle.
+//! The brightness of a distant light by its solid angle.
 
 use std::f32::consts::PI;
 
@@ -15,7 +15,7 @@ pub const PRESET: Preset = Preset {
     source: "LuxCoreRender/LuxCore, issue 298 (2020), which gives 1 / (2 pi (1 - cos theta)) with the cosine kept \
              below 1, which is left out here; PixarAnimationStudios/OpenUSD, pull request 3182 (2025), on UsdLux \
              DistantLight, whose sizeFactor is 1 at an angle of 0",
-    question: "By what is a distant light multiplied, in f32, to give the same illuminance whatever its angle?",
+    question: "What is one over the solid angle of a distant light, which keeps its brightness whatever its angle, in f32?",
     chart: Some(Axes {
         title: "Factor of a distant light, f32",
         input: "angle (diameter), degrees",

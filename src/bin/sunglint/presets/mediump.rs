@@ -14,8 +14,8 @@ use super::{Effort, Preset};
 /// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "filament-mediump",
-    source: "google/filament, \"Physically Based Rendering in Filament\" (2018), on GGX in half floats, and the \
-             shader's D_GGX; Unreal's GGX_Mobile does the same",
+    source: "google/filament, \"Physically Based Rendering in Filament\" (2018), on GGX in \
+             half floats; its shader takes the cross product on phones, as Unreal's GGX_Mobile does",
     question: "How bright is a glossy pixel where GGX is computed in half floats (mediump)?",
     chart: None,
     measure,

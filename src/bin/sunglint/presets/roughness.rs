@@ -14,7 +14,7 @@ use super::{Axes, Effort, Preset};
 pub const PRESET: Preset = Preset {
     name: "threejs-roughness4",
     source: "mrdoob/three.js, pull request 8349 and issues 9501 and 9515 (2016): black highlights on phones; its \
-             clamps of the roughness, 0.04 and later 0.0525",
+             clamps of the roughness, 0.04 and later 0.0525, which is for its environment maps",
     question: "How bright is a glossy pixel if GGX takes the fourth power of the roughness, in half floats?",
     chart: Some(Axes {
         title: "Pixels off by a factor of 2 or more, or no number",

@@ -13,8 +13,8 @@ use super::{Effort, Preset};
 /// What is reported, and how it is run.
 pub const PRESET: Preset = Preset {
     name: "path-tracer-small-sun",
-    source: "mmp/pbrt-v3, pull request 212 (2018): spheres narrower than 1.5 degrees collapse to a point in f32; \
-             LuxCoreRender/LuxCore, issue 443 (2020): soft shadows of small lights turn hard, and band",
+    source: "mmp/pbrt-v3, pull request 212 (2018): sines by sqrt(1 - cos^2) are wrong in f32 from 1.5 \
+             degrees down, and small spheres collapse to a point; LuxCoreRender/LuxCore, issue 443 (2020): soft shadows of small lights turn hard, and band",
     question: "Which directions of the Sun does a path tracer sample in f32, and with what density?",
     chart: None,
     measure,

@@ -58,6 +58,23 @@ pub fn fewest<'a>(family: &Family<'a>, goal: Goal, tolerance: f64) -> Option<&'a
     family.rows.iter().rev().copied().take_while(|row| goal.error(row) <= tolerance).last()
 }
 
+/// The least bits that may be enough, given that those of `found` are: what is shorter than all words that were tried
+/// is not known, nor what lies between `found` and the next shorter one.
+fn at_least(family: &Family, found: &SweepRow) -> Option<u32> {
+    let shorter = family.rows.iter().rev().find(|row| row.bits < found.bits);
+    shorter.map(|row| row.bits + 1)
+}
+
+/// The fewest bits that are enough, as far as the words that were tried tell.
+pub fn said(family: &Family, found: &SweepRow) -> String {
+    let bits = found.bits;
+    match at_least(family, found) {
+        None => format!("≤ {bits}"),
+        Some(least) if least < bits => format!("{least}–{bits}"),
+        Some(_) => bits.to_string(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -81,6 +98,17 @@ mod tests {
         assert_eq!(Goal::Edge.error(&failed), f64::INFINITY);
         assert_eq!(Goal::Edge.error(&row(14, f64::NAN)), f64::INFINITY);
         assert_eq!(fewest(&Family::all(&[failed])[0], Goal::Edge, 1.0).map(|row| row.bits), None);
+    }
+
+    #[test]
+    fn what_lies_between_the_words_that_were_tried_is_left_open() {
+        let rows = [row(8, 5.0), row(10, 3.0), row(12, 0.9), row(13, 0.1)];
+        let family = &Family::all(&rows)[0];
+        let bits = |tolerance| fewest(family, Goal::Edge, tolerance).map(|found| said(family, found));
+        assert_eq!(
+            [6.0, 4.0, 1.0, 0.2].map(|tolerance| bits(tolerance).unwrap_or_default()),
+            ["≤ 8", "9–10", "11–12", "13"]
+        );
     }
 
     #[test]

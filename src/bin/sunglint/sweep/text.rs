@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::answer::{Answer, Priced};
 use super::arguments::Question;
-use super::{Family, Goal, SweepRow, fewest};
+use super::{Family, Goal, SweepRow, fewest, said};
 use crate::axis::Axis;
 use crate::{number, table};
 
@@ -42,7 +42,7 @@ fn line(family: &Family, question: &Question) -> [String; 5] {
     let some = goal.error(family.nearest(goal)) <= question.tolerance;
     let none = if some { "not for good" } else { "none" };
     let (bits, width) = match found {
-        Some(row) => (row.bits.to_string(), row.width.to_string()),
+        Some(row) => (said(family, row), row.width.to_string()),
         None => (none.to_owned(), format!("best {}", family.nearest(goal).bits)),
     };
     let row = found.unwrap_or(family.nearest(goal));

@@ -69,7 +69,10 @@ fn mediump(ours: &[&Measurement]) -> String {
     let within: Vec<_> = ours.iter().filter(|one| one.max <= MEDIUMP).map(|one| escape(one.format)).collect();
     let within = if within.is_empty() { "none".to_owned() } else { within.join(", ") };
     let most = figure(MEDIUMP);
-    format!("GLES allows one operation in mediump 2⁻¹⁰ ({most}); within that is the whole function in: {within}.")
+    format!(
+        "GLES allows one operation in mediump 2⁻¹⁰ of its result ({most}); off by no more than that figure is the whole \
+         function in: {within}."
+    )
 }
 
 #[cfg(test)]
