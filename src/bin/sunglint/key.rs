@@ -1,6 +1,7 @@
 //! The key of the charts: a shape for each method, a colour for each number format.
 
 use kuva::plot::MarkerShape;
+use sunglint::trial::{Format, Method, Shading};
 
 /// Colours of Okabe and Ito, but brown in place of their yellow, which is too pale on white. Two kinds of red-green
 /// blindness and blue-yellow blindness can tell the first seven apart.
@@ -42,13 +43,8 @@ impl Key {
 
     /// Colour of the marks of `format`.
     pub fn colour(&self, format: &str) -> &'static str {
-        colour(place(&self.formats, format))
+        COLOURS[place(&self.formats, format) % COLOURS.len()]
     }
-}
-
-/// The colour of the name at `place` in a list.
-pub fn colour(place: usize) -> &'static str {
-    COLOURS[place % COLOURS.len()]
 }
 
 /// Each of `names` once, in the order of their first appearance.
@@ -62,6 +58,25 @@ pub fn in_order<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
     once
 }
 
+/// The place of `name` among all formats or methods of the study, so that a filter changes no colour and no shape; of any
+/// other name its place in `names`.
 fn place(names: &[String], name: &str) -> usize {
-    names.iter().position(|known| known == name).unwrap_or(0)
+    let format = Format::ALL.iter().position(|format| format.name() == name);
+    let method = || Method::ALL.iter().position(|method| method.name() == name);
+    let shading = || Shading::ALL.iter().position(|shading| shading.name() == name);
+    let listed = || names.iter().position(|known| known == name);
+    format.or_else(method).or_else(shading).or_else(listed).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_filter_changes_no_colour_and_no_shape() {
+        let [cap, f32, other] = ["cap", "f32", "other"].map(str::to_owned);
+        let key = Key::new([[&cap, &f32], [&cap, &other]].into_iter());
+        assert_eq!([key.colour("f32"), key.colour("other")], [COLOURS[1]; 2]);
+        assert!(matches!(key.shape("cap"), MarkerShape::Circle));
+    }
 }

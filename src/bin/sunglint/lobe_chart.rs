@@ -4,7 +4,7 @@ use kuva::plot::{LegendEntry, LegendShape};
 use kuva::prelude::{Layout, LinePlot, Plot, ScatterPlot, render_multiple};
 
 use crate::chart::{self, ALONE};
-use crate::key::{Key, colour, in_order};
+use crate::key::{Key, in_order};
 use crate::mark_groups;
 use crate::number;
 use crate::panel;
@@ -65,9 +65,9 @@ fn tooltip(row: &LobeRow) -> String {
 
 fn layout(rows: &[&LobeRow], methods: &[String], key: &Key) -> Layout {
     let highest = rows.iter().map(|row| row.relative_l1.log10()).fold(0.0, f64::max).ceil();
-    let entry = |(place, method): (usize, &String)| LegendEntry {
+    let entry = |method: &String| LegendEntry {
         label: method.clone(),
-        color: colour(place).to_owned(),
+        color: key.colour(method).to_owned(),
         shape: LegendShape::Marker(key.shape(method)),
         dasharray: None,
     };
@@ -88,7 +88,7 @@ fn layout(rows: &[&LobeRow], methods: &[String], key: &Key) -> Layout {
         .with_y_axis_max(highest)
         .with_y_tick_step(1.0)
         .with_y_tick_format(panel::powers_up_to(highest))
-        .with_legend_group("Method", methods.iter().enumerate().map(entry).collect())
+        .with_legend_group("Method", methods.iter().map(entry).collect())
         .with_legend_width(LEGEND);
     panel::dressed(layout)
 }

@@ -25,10 +25,11 @@ pub fn two_digits(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
 
-/// `part` of `whole` in per cent, in plain digits as far as they stay short.
+/// `part` of `whole` in per cent, in plain digits as far as they stay short; a dash where the whole is 0.
 pub fn percent(part: f64, whole: f64) -> String {
     let value = part / whole * 100.0;
     match value.abs() {
+        _ if whole == 0.0 => "–".to_owned(),
         v if !(0.001..10_000.0).contains(&v) => scientific(value),
         v if v >= 10.0 => format!("{value:.0}"),
         v if v >= 1.0 => format!("{value:.1}"),

@@ -83,13 +83,11 @@ fn sections(study: &Study) -> Vec<Section> {
     let mut sections = Vec::new();
     if !study.rows.is_empty() {
         let charts = format!("{DIRECTIONS}\n{}", directions::charts(study));
-        let methods = format!("{}\n{}", directions::METHODS, directions::RIVALS);
-        let errors = "Specular direction: arithmetic, model, total and edge error";
+        let errors = "Specular direction: what the errors mean";
         sections.extend([
             section("directions", Some("Directions"), "Specular direction: error against cost", charts),
-            section("how", Some("How to read this"), "How to read the charts", signs::all()),
+            section("how", Some("How to read"), "How to read the charts", signs::all()),
             section("all-directions", None, "Specular direction: all measurements", direction_table::all(study)),
-            Section { open: false, ..section("methods", None, "Specular direction: the methods", methods) },
             Section { open: false, ..section("errors", None, errors, directions::errors(study)) },
         ]);
     }
@@ -101,30 +99,26 @@ fn sections(study: &Study) -> Vec<Section> {
     }
     if !study.lobes.is_empty() {
         let title = "Whole highlights: model error of every method";
-        sections.push(section("highlights", Some("Whole highlights"), title, lobes::all(study)));
+        sections.push(section("highlights", Some("Highlights"), title, lobes::all(study)));
     }
+    let blocks = section("parts", Some("Blocks"), "Building blocks", kernels::all(study));
+    let chip = section("chip", Some("Chip"), "On the chip: instructions, stack and bytes", chip::all(study));
+    let light =
+        section("of-a-light", Some("Quantities"), "Quantities of the light", quantities::all(&study.quantities));
+    let measured = |measured: bool, section: Section| measured.then_some(section);
+    sections.extend(measured(!study.kernels.is_empty(), blocks));
+    sections.extend(measured(!study.chip.is_empty(), Section { open: false, ..chip }));
+    sections.extend(measured(!study.quantities.is_empty(), Section { open: false, ..light }));
     let more = [
+        section("bits", Some("Bits"), "How many bits do I need?", sweep::all(study)),
+        section("method-pages", Some("Methods"), "Every method", methods::all(study)),
         section("pictures", Some("Pictures"), "Pictures: lit spheres, and where the error sits", pictures::all(study)),
-        section("method-pages", Some("Every method"), "Every method", methods::all(study)),
-        section("bits", Some("How many bits?"), "How many bits do I need?", sweep::all(study)),
-        section(
-            "presets",
-            Some("Reported failures"),
-            "Failures that were reported, and their cures",
-            presets::all(study),
-        ),
-        section("take-away", Some("Take it away"), "Take it away: files, columns, source code", take_away::all()),
+        section("presets", Some("Failures"), "Failures that were reported, and their cures", presets::all(study)),
+        section("take-away", Some("Take away"), "Take it away: files, columns, source code", take_away::all()),
     ];
     sections.extend(more.into_iter().filter(|section| !section.content.is_empty()));
-    let last = [
-        section("parts", Some("Building blocks"), "Building blocks", kernels::all(study)),
-        section("chip", Some("On the chip"), "On the chip: instructions, stack and bytes", chip::all(study)),
-        section("of-a-light", Some("Quantities"), "Quantities of the light", quantities::all(&study.quantities)),
-        section("origin", Some("Origin"), "How the numbers were made", origin::section(study)),
-    ];
-    let measured = [!study.kernels.is_empty(), !study.chip.is_empty(), !study.quantities.is_empty(), true];
-    let last = last.into_iter().zip(measured).filter_map(|(section, measured)| measured.then_some(section));
-    sections.extend(last.map(|section| Section { open: section.id == "parts", ..section }));
+    let origin = section("origin", Some("Origin"), "How the numbers were made", origin::section(study));
+    sections.push(Section { open: false, ..origin });
     sections
 }
 
@@ -159,14 +153,14 @@ mod tests {
         let count = |piece: &str| everything.matches(piece).count();
         let figures = ["<figure data-light", "<figure data-case", "class=\"several\""].map(count);
         assert_eq!(figures, [4 * 4 + 1, 5 * 2 * 4, 2 * 4]);
-        assert_eq!(plain("<tr data-function") - study.all_kernels().count(), study.chip.len());
-        assert_eq!(plain("<tr data-light") - study.lobes.len(), study.all_directions().count());
-        assert_eq!(plain("<tr data-case"), study.all_pixels().count());
-        assert_eq!(plain("data-alpha"), study.lobes.len());
+        assert_eq!(count("<tr data-function") - study.all_kernels().count(), study.chip.len());
+        assert_eq!(count("<tr data-light") - study.lobes.len(), study.all_directions().count());
+        assert_eq!(count("<tr data-case"), study.all_pixels().count());
+        assert_eq!(count("data-alpha"), study.lobes.len());
         for option in ["Sun, alpha 0.001", "45", "0.0625", "all"] {
             assert!(html.contains(&format!("<option>{option}</option>")), "{option}");
         }
-        assert!(html.contains(&study.kernels[0].worst_input));
+        assert!(everything.contains(&study.kernels[0].worst_input));
     }
 
     /// The first of every control is what is chosen when the page opens.

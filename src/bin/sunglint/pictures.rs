@@ -2,7 +2,7 @@
 
 mod album;
 mod colour;
-mod contact;
+pub mod contact;
 mod failing;
 mod figures;
 mod lit;
@@ -253,6 +253,28 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), pictures.len(), "every file has a name of its own");
+    }
+
+    #[test]
+    fn a_picture_lies_on_its_sheet_where_its_place_is() {
+        let pictures = drawn(&quick());
+        for subject in ["direction", "pixel"] {
+            let of_subject = || pictures.iter().filter(|picture| picture.subject == subject);
+            let sheet = of_subject().find(|picture| picture.kind == Kind::Sheet).expect("a sheet");
+            let (_, pixels) = raster::decoded(&sheet.png);
+            let lines: Vec<_> = pixels.chunks(3 * sheet.size[0] as usize).collect();
+            let placed = of_subject().filter_map(|picture| Some((picture, contact::place(picture, &pictures)?)));
+            let placed: Vec<_> = placed.collect();
+            let methods = if subject == "direction" { Method::ALL.len() } else { Shading::ALL.len() };
+            assert_eq!(placed.len(), 1 + 2 * methods * Format::ALL.len());
+            for (picture, place) in placed {
+                let [x, y, width, height] =
+                    [place[0], place[1], picture.size[0], picture.size[1]].map(|of| of as usize);
+                let cut: Vec<u8> =
+                    lines[y..y + height].iter().flat_map(|line| line[3 * x..3 * (x + width)].to_vec()).collect();
+                assert!(cut == raster::decoded(&picture.png).1, "{}", picture.name);
+            }
+        }
     }
 
     #[test]

@@ -20,7 +20,10 @@ pub fn bound(bound: Bound) -> &'static str {
 /// All figures of a direction.
 pub fn of_direction(row: &Row, chip: &[ChipRow]) -> String {
     let rad = |value: f64| format!("{} rad", number::scientific(value));
-    let of_radius = |value: f64| format!("{} ({} % of the radius)", rad(value), number::percent(value, row.theta));
+    let of_radius = |value: f64| match row.theta {
+        0.0 => rad(value),
+        theta => format!("{} ({} % of the radius)", rad(value), number::percent(value, theta)),
+    };
     let mut lines = vec![name(&row.method, &row.format, row.by, row.failure.as_deref())];
     if is_peer(row.by) {
         lines.push(format!("arithmetic error: up to {}", of_radius(row.error_max)));

@@ -3,6 +3,7 @@
 use sunglint::trial::chip::{Core, Cost, RUSTC, Row};
 
 use super::cells::{self, cell, count, missing, scientific, sortable, text};
+use super::pack;
 use crate::chip::{self, ChipRow, PIXEL_CASE};
 use crate::number;
 use crate::result::Study;
@@ -10,10 +11,10 @@ use crate::result::Study;
 const INTRODUCTION: &str = "<p>Instructions from the call to the return, all that it calls included, and the deepest \
 stack in bytes, counted exactly under QEMU at <code>opt-level = 3</code>; bytes of code, with all that it calls, and \
 of tables at <code>opt-level = \"s\"</code>. An instruction is not a cycle: loads, jumps and divisions may take \
-several. <strong>By</strong> says whose it is: <em>sunglint</em> as it is always called, <em>formula</em> the generic \
+several.</p><p><strong>By</strong> says whose it is: <em>sunglint</em> as it is always called, <em>formula</em> the generic \
 code of a format that has code of its own beside it, <em>sunglint soft</em> f32 computed in integers, <em>PixelQ14</em> a lit pixel with code of its own, and everything \
 else a peer with its version. <strong>Case</strong> says of which inputs the median and the worst are: rays inside \
-the light’s disc, outside, or any. The worst arithmetic error is the study’s own, where it has judged that code, and a peer’s as the crate \
+the light’s disc, outside, or any.</p><p>The worst arithmetic error is the study’s own, where it has judged that code, and a peer’s as the crate \
 <code>tests/peers</code> has found it on the inputs that its note names, without the hard ones: \
 of a direction under the Sun from Earth, of a pixel in the case";
 
@@ -58,7 +59,7 @@ pub fn all(study: &Study) -> String {
     ];
     let lines: String = rows.iter().map(line).collect();
     let introduction = format!("{INTRODUCTION} {PIXEL_CASE}. A line without figures says why.</p>");
-    format!("{introduction}\n{}{}", cells::form(&choice.concat()), sortable("counts", &COLUMNS, &lines))
+    format!("{introduction}\n{}{}", cells::form(&choice.concat()), pack::packed(&sortable("counts", &COLUMNS, &lines)))
 }
 
 fn line(row: &ChipRow) -> String {

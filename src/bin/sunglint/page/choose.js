@@ -70,4 +70,11 @@ async function fill(details) {
   if (!pack || !details.open || pack.filled) return;
   pack.filled = true;
   pack.before(...await unpacked(pack));
+  heed(details.closest('section'));
+}
+
+// Shows of a section what its controls choose.
+function heed(section) {
+  fold(section);
+  if (section.querySelector('.choice')) show(section);
 }

@@ -1,7 +1,7 @@
 //! The table of all measurements of directions.
 
 use super::cells::{self, bits, cell, command, count, foldable, percent, scientific, text};
-use super::directions;
+use super::{directions, pack};
 use crate::author;
 use crate::key::in_order;
 use crate::number;
@@ -63,7 +63,7 @@ pub fn all(study: &Study) -> String {
         cells::columns(&GROUPS, &OPEN),
     ];
     let lines: String = study.all_directions().map(line).collect();
-    format!("{}{}", cells::form(&choice.concat()), foldable("measurements", &COLUMNS, &lines))
+    format!("{}{}", cells::form(&choice.concat()), pack::packed(&foldable("measurements", &COLUMNS, &lines)))
 }
 
 fn line(row: &Row) -> String {

@@ -11,18 +11,6 @@ use crate::key::{Key, in_order};
 use crate::number;
 use crate::result::{Row, Study};
 
-/// What the methods do.
-pub const METHODS: &str = "<p>All take the unit directions l to the light’s centre and r along the mirror \
-ray, and radius over distance, x = sin θ.</p>\n<dl>\
-<dt>epic</dt><dd>C = (L·r) r − L, P = L + C sat(R / |C|), with L as long as the distance: Epic’s \
-representative point as published. The Sun’s distance in kilometres overflows f16 and fixed point.</dd>\
-<dt>factored</dt><dd>D = (l·r) r − l, P = l + D sat(x / |D|): the same with the distance divided out. \
-Turns by about θ cos(angle), so it falls short away from the light and goes the wrong way behind it.</dd>\
-<dt>disc</dt><dd>r where l·r ≥ cos θ, else cos θ l + sin θ times the tangent: the nearest direction of the \
-disc, told by a cosine that narrow formats round to 1.</dd>\
-<dt>cap</dt><dd>the same direction by the sine: e = r − l (r + l behind the light), s = e − (e·l) l; r \
-where s·s ≤ x², else l + (x / |s|) s − (1 − cos θ) l.</dd></dl>";
-
 const INPUTS: &str = "<p>None of these holds what <strong>rounding the directions</strong> into the format \
 costs before any method has its turn: the truth is always computed from the rounded directions. That \
 error is here, for rays within 90 degrees of the light.</p>";
@@ -32,16 +20,16 @@ computed direction against the exact value of the same formula for the same inpu
 error</strong> is what the formula costs: its exact value against the nearest point of the light’s \
 disc. It hardly depends on the format, and no precision removes it. <strong>Total error</strong> is \
 the computed direction against the nearest point, so it holds both. A method may lead by its \
-arithmetic and yet trail by its model; hence two charts for each light, and two frontiers. The truth \
+arithmetic and yet trail by its model; hence a chart and a frontier for each.</p><p>The truth \
 is computed in f64, so errors of some 1e-16 rad are the truth’s own rounding as much as the method’s, and \
 their order says nothing. Left out are directions beside the opposite of the light, where all of \
 the rim is as near, and where the representative point falls into the origin; the table counts them.</p>";
 
 /// What only charts over instructions show.
-pub const RIVALS: &str = "<p>Over instructions there are more marks, of code that no format runs by itself. \
+const RIVALS: &str = "<p>Over instructions there are more marks, of code that no format runs by itself. \
 <em>f32 soft</em> (<code>soft::cap</code>) computes f32 in integers, by way of I2F30; it is judged on the same directions, \
 and at its worst beside the opposite of the light, where the side of the rim hangs on the rounding. <em>formula</em> is the \
-generic code where a format has code of its own. <strong>Grey</strong> are peers, under the Sun from Earth alone: the \
+generic code where a format has code of its own.</p><p><strong>Grey</strong> are peers, under the Sun from Earth alone: the \
 crate <code>tests/peers</code> has tried them on 200 000 random directions, without the hard ones, and their total error is at \
 most what is drawn, their arithmetic error and the model’s together.</p>";
 
@@ -98,7 +86,7 @@ impl Shown<'_> {
 pub fn errors(study: &Study) -> String {
     let lights = lights(study);
     let models = model_errors(&study.rows, &lights);
-    format!("{ERRORS}\n{models}\n{INPUTS}\n{}", input_errors(&study.rows, &lights))
+    format!("{ERRORS}\n{models}\n{INPUTS}\n{}\n{RIVALS}", input_errors(&study.rows, &lights))
 }
 
 /// Worst model error of each method under each light.

@@ -1,6 +1,7 @@
 //! The table of all measurements of building blocks.
 
 use super::cells::{self, cell, command, count, foldable, missing, scientific, text};
+use super::pack;
 use crate::author::{self, is_peer};
 use crate::key::in_order;
 use crate::number;
@@ -40,7 +41,7 @@ pub fn all(study: &Study) -> String {
         cells::columns(&GROUPS, &["bound"]),
     ];
     let lines: String = study.all_kernels().map(line).collect();
-    cells::form(&choice.concat()) + &foldable("blocks", &COLUMNS, &lines)
+    cells::form(&choice.concat()) + &pack::packed(&foldable("blocks", &COLUMNS, &lines))
 }
 
 fn line(row: &KernelRow) -> String {

@@ -1,7 +1,7 @@
 //! The section of the page about whole highlights.
 
 use super::cells::{self, cell, scientific, sortable, text};
-use super::figures;
+use super::{figures, pack};
 use crate::key::in_order;
 use crate::lobe_chart;
 use crate::result::{LobeRow, Study};
@@ -35,7 +35,7 @@ pub fn all(study: &Study) -> String {
          {}{figures}{}",
         if study.quick { ". This quick run left out nodes and incidences" } else { "" },
         cells::form(&choice.concat()),
-        sortable("lobes", &COLUMNS, &lines)
+        pack::packed(&sortable("lobes", &COLUMNS, &lines))
     )
 }
 

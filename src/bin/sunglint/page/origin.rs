@@ -35,19 +35,15 @@ pub fn section(study: &Study) -> String {
         false => format!("{} to {}", number::count(least), number::count(most)),
     };
     format!(
-        "<p>sunglint {} tried {tried} directions for each measurement of a direction, drawn at random from seed {}, and the hard ones \
+        "<p>sunglint {} tried {tried} directions for each measurement of a direction, at random from seed {} and the hard ones \
          that have broken a method, and {} (by the integral over the disc), also random. \
-         To do it again: <code>{}</code>. The same seed gives the same errors. \
-         The costs are times of this machine in this run on the pixels of a ball in scan order, less that of an \
-         empty call: the median over the \
-         rounds, as a multiple of the time of f32 <code>factored</code> in the same round, with the \
-         quartiles beside it. A loop over a million pixels in fixed point is no faster than as many calls: early answers, \
-         a table, leading zeros and products of 64 bits keep the compiler from vectorising it (<code>tests/peers</code> \
-         measures that). Every worst case is given with the raw bits of its input (the first input, where no answer is a \
-         direction), or in exact decimals for building blocks, so that it can be computed again (of soft_shadow the scene without the \
- direction to its light). The same numbers lie next to this page in <code>results.csv</code>, \
-         <code>pixels.csv</code>, <code>lobes.csv</code>, <code>kernels.csv</code>, <code>chip.csv</code> and, all together, in \
-         <code>results.json</code>, the first charts in <code>chart.svg</code>, <code>chips.svg</code> and <code>pixels.svg</code>.</p>\n{}",
+         To do it again: <code>{}</code>. The same seed gives the same errors.</p>\n\
+         <p>Costs are times of this machine in this run, less that of an empty call: the median over the rounds, as a multiple of \
+         the time of f32 <code>factored</code> in the same round, with the quartiles beside it. Directions are timed on the pixels \
+         of a ball in scan order.</p>\n\
+         <p>Every worst case is given with the raw bits of its input (the first input, where no answer is a direction), or in \
+         exact decimals for building blocks, so that it can be computed again (of soft_shadow the scene without the direction to \
+         its light).</p>\n<p>The same numbers lie in files next to this page: see <a href=\"#take-away\">Take it away</a>.</p>\n{}",
         escape(&study.version),
         study.seed,
         pixels::tried(study),

@@ -1,5 +1,5 @@
-//! Parts of the page that are not shown at first, packed: `DecompressionStream` of the browser unpacks them when they
-//! are chosen.
+//! Tables, and what is not shown at first, packed: `DecompressionStream` of the browser unpacks them when they are
+//! shown.
 //!
 //! What is packed is any HTML; its titles, which repeat from figure to figure, stand once, before it. The script looks
 //! for packs in an element of class `figures`, and in any `details`, which is filled where it is first opened.
@@ -22,8 +22,8 @@ const OPENING: &str = "<title>";
 const CLOSING: &str = "</title>";
 
 /// What is said where a browser cannot unpack.
-const REFUSAL: &str = "<p class=\"no-unpack\" hidden>This browser cannot unpack what is not shown at first. The main charts \
-lie next to this page: chart.svg, chips.svg and pixels.svg; all figures are in its tables.</p>";
+const REFUSAL: &str = "<p class=\"no-unpack\" hidden>This browser cannot unpack the tables and the other charts. The main charts \
+and all figures lie next to this page, as SVG and CSV.</p>";
 
 /// `html` as a pack, with the sentence for browsers that cannot unpack it; nothing where there is nothing to pack.
 pub fn packed(html: &str) -> String {

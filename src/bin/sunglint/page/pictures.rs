@@ -65,12 +65,15 @@ fn sentences(study: &Study) -> String {
     format!("<ul>\n{}</ul>\n", of_failing.map(line).collect::<String>())
 }
 
-/// The picture within the page.
+/// The picture within the page; the pages of the methods show parts of it.
 fn image(picture: &Picture) -> String {
     let [width, height] = picture.size;
     format!(
-        "<img width=\"{width}\" height=\"{height}\" alt=\"{}\" src=\"data:image/png;base64,{}\">",
+        "<svg class=\"sheet\" role=\"img\" aria-label=\"{}\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\"><image id=\"sheet-{}\" width=\"{width}\" height=\"{height}\" \
+         href=\"data:image/png;base64,{}\"/></svg>",
         escape(&picture.caption),
+        picture.subject,
         STANDARD.encode(&picture.png)
     )
 }
@@ -97,8 +100,8 @@ mod tests {
             picture("failures", Kind::Sheet, "Failures"),
         ];
         let html = all(&study);
-        assert_eq!(html.matches("<img ").count(), 1);
-        assert!(html.contains("src=\"data:image/png;base64,AQID\"") && html.contains("width=\"3\" height=\"2\""));
+        assert_eq!(html.matches("<image ").count(), 1);
+        assert!(html.contains("href=\"data:image/png;base64,AQID\"") && html.contains("width=\"3\" height=\"2\""));
         assert_eq!(html.matches("<li>Too &lt;wide&gt;.</li>").count(), 1);
     }
 }

@@ -1,7 +1,7 @@
 //! The table of all measurements of lit pixels.
 
 use super::cells::{self, bits, cell, command, count, foldable, missing, scientific, text};
-use super::pixels;
+use super::{pack, pixels};
 use crate::author;
 use crate::key::in_order;
 use crate::number;
@@ -60,7 +60,7 @@ pub fn all(study: &Study) -> String {
         cells::columns(&GROUPS, &OPEN),
     ];
     let lines: String = study.all_pixels().map(line).collect();
-    format!("{}{}", cells::form(&choice.concat()), foldable("lit-pixels", &COLUMNS, &lines))
+    format!("{}{}", cells::form(&choice.concat()), pack::packed(&foldable("lit-pixels", &COLUMNS, &lines)))
 }
 
 fn line(row: &PixelRow) -> String {

@@ -17,26 +17,16 @@ const INTRODUCTION: &str = "<p>A lit pixel is the whole radiance that a surface 
 highlight (GGX, height-correlated Smith, Schlick with a reflectance of 0.04) under one light, over pixels from the middle of the \
 highlight to ten of its widths beside it. Errors are relative to the pixel’s true value, or in steps of a display.</p>";
 
-/// What the errors mean, and the methods.
-const ABOUT: &str = "<details><summary>What the errors mean, and the methods</summary><p>The <strong>dashed lines</strong> in the \
+/// What the errors mean.
+const ABOUT: &str = "<details><summary>What the errors mean</summary><p>The <strong>dashed lines</strong> in the \
 charts of the total error, each with its method’s name at its right end, are model errors: the error of a method’s formula in \
 exact arithmetic against the BRDF integrated over the disc. No mark can lie under its method’s line, and <strong>where a mark \
 stands on its line, more precision buys nothing</strong>: only another method does. In the total, arithmetic and model error are \
-combined as the root of the sum of their squares, and on its frontier stands only what gains in the first two digits. What \
+combined as the root of the sum of their squares, and on its frontier stands only what gains in the first two digits.</p><p>What \
 rounding the vectors into the format costs before any method has its turn is in neither, but in the column of rounded \
 inputs; in I2F14 on a polish it is the greatest of the three. <strong>Steps</strong> are of sRGB on a display of 8 or 10 bits, \
 where a white surface that faces the light is 1 and whatever is brighter is clipped; under half a step nothing is seen.</p>\
-<dl><dt>none (<code>PointGgx::none</code>)</dt><dd>GGX at the disc’s point nearest to the mirror ray: too bright, as the light’s energy is counted at every \
-point.</dd>\
-<dt>karis, karis/3 (<code>PointGgx::karis</code>, <code>karis_third</code>)</dt><dd>the same times (α/α′)², α′ = α + x/2 or α + x/3.</dd>\
-<dt>exact_rp (<code>PointGgx::exact_rp</code>)</dt><dd>the same with the energy that the shape has for small angles.</dd>\
-<dt>disc_ggx, disc_ggx dir (<code>DiscGgx::new</code>, <code>directional</code>)</dt><dd>GGX averaged over the disc in closed form, the disc in the half vectors taken for a circle \
-or for an ellipse.</dd>\
-<dt>PixelQ14 (<code>raw::PixelQ14</code>)</dt><dd>disc_ggx in I2F14 with code of its own, whose constants hold light, surface and \
-illuminance.</dd>\
-<dt>cone_ggx, cone_ggx shifted (<code>ConeGgx</code>, <code>ShiftedConeGgx</code>)</dt><dd>GGX integrated over the exact cone of half vectors, the rest of the BRDF taken at the disc’s centre, \
-or between that and the point nearest to the mirror ray. The root of a cubic is found by three steps; what they leave, which is \
-below 1e-8 of a pixel, counts as arithmetic error, in f64 too.</dd></dl></details>";
+</details>";
 
 /// Which calls the instructions are of.
 fn counted() -> String {

@@ -2,10 +2,10 @@
 
 use crate::required;
 
-const INTRODUCTION: &str = "<p>Each mark is one way to compute the same thing: a method, told by its shape, in a number format, \
+const INTRODUCTION: &str = "<p>Each mark is a method, told by its shape, in a number format, \
 told by its colour and its label. Further <strong>left is cheaper</strong> (in time on the machine of this run, or in instructions on a \
 microcontroller), further <strong>down is more exact</strong>; both axes are logarithmic. The grey stairs are the Pareto frontier: \
-for every mark off them there is another that is neither dearer nor more wrong. Point at a mark, or reach it by the Tab key, for all of its \
+for every mark off them there is another that is neither dearer nor more wrong.</p><p>Point at a mark, or reach it by the Tab key, for all of its \
 figures; click it for its method’s page. Marks that coincide are drawn inside each other, the outer ones larger.</p>";
 
 /// A drawing of a sign and what it means.

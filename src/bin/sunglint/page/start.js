@@ -26,14 +26,8 @@ for (const form of document.querySelectorAll('.choice')) {
   form.hidden = false;
   form.reset();
   form.addEventListener('submit', event => event.preventDefault());
-  form.addEventListener('input', () => {
-    fold(section);
-    show(section);
-  });
+  form.addEventListener('input', () => heed(section));
 }
-for (const section of document.querySelectorAll('section')) {
-  fold(section);
-  if (section.querySelector('.choice')) show(section);
-}
+for (const section of document.querySelectorAll('section')) heed(section);
 for (const details of document.querySelectorAll('details[open]')) fill(details);
 if (location.hash) unfold(location.hash);

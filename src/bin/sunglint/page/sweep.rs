@@ -13,7 +13,7 @@ const INTRODUCTION: &str = "<p>Every method in words that types have and in word
 fraction bits and two integer bits, floats of 8 to 24 digits with the exponent range of f16 (5 bits) or of f32 (8 bits), and the \
 same where numbers below the least normal one are zero, as some hardware has it. All are emulated and run the same formulas; \
 where a word is a type, its results are that type’s bit for bit, but for what I2F14 and I2F30 do by hand in \
-<code>cap</code> and <code>normalize</code>. Directions show the worst error of the drawn edge, in per cent of the light’s \
+<code>cap</code> and <code>normalize</code>.</p><p>Directions show the worst error of the drawn edge, in per cent of the light’s \
 radius, formula and arithmetic together; lit pixels the root mean square of the arithmetic alone, with the \
 error of each formula as a line of dashes: below it, more bits buy nothing. Vectors are exact in the word: \
 what rounding them into it costs comes on top. A hollow mark loses the disc; what gave no number has none.</p>";

@@ -31,9 +31,10 @@ function fold(section) {
   }
 }
 
-// Copies the command beside a button; where the clipboard is refused, it is selected.
+// Copies the code that a button names, or the command beside it; where the clipboard is refused, it is selected.
 async function copy(button) {
-  const code = button.parentNode.querySelector('code');
+  const named = button.dataset.copyFrom;
+  const code = named ? document.getElementById(named) : button.parentNode.querySelector('code');
   const said = button.textContent;
   try {
     await navigator.clipboard.writeText(code.textContent);

@@ -6,6 +6,8 @@ use super::failing::Failing;
 use super::figures::Figures;
 use super::raster::{LETTER, Raster};
 use super::sphere::Sphere;
+use super::{Kind, Picture};
+use crate::key::in_order;
 
 /// Space around everything.
 const MARGIN: u32 = 14;
@@ -29,7 +31,7 @@ pub fn of_album(album: &Album, title: &str) -> Raster {
     let side = album.truth.size[0];
     let rows: Vec<&[Tile]> = album.tiles.chunk_by(|a, b| a.method == b.method).collect();
     let columns = 1 + rows.iter().map(|row| row.len()).max().unwrap_or(0) as u32;
-    let pitch = [side.max(15 * LETTER) + GAP, 2 * (side + GAP) + 5 * LINE];
+    let pitch = pitch(side);
     let width = (2 * MARGIN + columns * pitch[0]).max(700);
     let notes = wrapped(&album.note, (width - 2 * MARGIN) / LETTER);
     let head = MARGIN + 2 * LINE;
@@ -46,6 +48,33 @@ pub fn of_album(album: &Album, title: &str) -> Raster {
     }
     legend(&mut sheet, [MARGIN, foot], &album.scale, &notes);
     sheet
+}
+
+/// From one method in a format to the next, across and down.
+fn pitch(side: u32) -> [u32; 2] {
+    [side.max(15 * LETTER) + GAP, 2 * (side + GAP) + 5 * LINE]
+}
+
+/// Where on the sheet of its album `picture` lies; none where `pictures` have no such sheet, or more than one.
+pub fn place(picture: &Picture, pictures: &[Picture]) -> Option<[u32; 2]> {
+    let of_failure = |picture: &Picture| picture.name.starts_with("failure");
+    let album = || pictures.iter().filter(|other| other.subject == picture.subject && !of_failure(other));
+    if of_failure(picture)
+        || picture.kind == Kind::Sheet
+        || album().filter(|other| other.kind == Kind::Sheet).count() != 1
+    {
+        return None;
+    }
+    let (left, top, [_, side]) = (MARGIN, MARGIN + 3 * LINE, picture.size);
+    if picture.kind == Kind::Truth {
+        return Some([left, top]);
+    }
+    let lit = || album().filter(|other| other.kind == Kind::Lit);
+    let row = in_order(lit().map(|other| &other.method)).iter().position(|name| *name == picture.method)? as u32;
+    let column = in_order(lit().map(|other| &other.format)).iter().position(|name| *name == picture.format)? as u32;
+    let down = if picture.kind == Kind::Error { side + GAP / 2 } else { 0 };
+    let pitch = pitch(side);
+    Some([left + (1 + column) * pitch[0], top + row * pitch[1] + down])
 }
 
 /// The sphere, its errors beneath, and the words.

@@ -96,19 +96,21 @@ impl Raster {
     }
 }
 
+/// Size and pixels of a PNG file.
+#[cfg(test)]
+pub fn decoded(file: &[u8]) -> (png::OutputInfo, Vec<u8>) {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().expect("a PNG");
+    let mut data = vec![0; reader.output_buffer_size().expect("it fits")];
+    let info = reader.next_frame(&mut data).expect("a picture");
+    (info, data)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::pictures::colour::INK;
-
-    fn decoded(file: &[u8]) -> (png::OutputInfo, Vec<u8>) {
-        let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
-        decoder.set_transformations(png::Transformations::EXPAND);
-        let mut reader = decoder.read_info().expect("a PNG");
-        let mut data = vec![0; reader.output_buffer_size().expect("it fits")];
-        let info = reader.next_frame(&mut data).expect("a picture");
-        (info, data)
-    }
 
     #[test]
     fn a_png_has_the_pixels_with_few_colours_and_with_many() {

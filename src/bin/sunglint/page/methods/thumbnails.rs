@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use crate::key::in_order;
 use crate::page::cells::escape;
-use crate::pictures::{Kind, Picture};
+use crate::pictures::{Kind, Picture, contact};
 use crate::result::Study;
 
 /// The spheres of `method`, format by format; empty where none was drawn.
@@ -15,7 +15,8 @@ pub fn of(study: &Study, method: &str) -> String {
     let group = |format: &String| {
         let kinds = [Kind::Lit, Kind::Error].into_iter();
         let images = kinds.flat_map(|kind| pictures.iter().filter(move |picture| picture.kind == kind));
-        let images: String = images.filter(|picture| picture.format == *format).map(|picture| image(picture)).collect();
+        let images: String =
+            images.filter(|picture| picture.format == *format).map(|picture| image(study, picture)).collect();
         if images.is_empty() { images } else { figure(format, &images) }
     };
     let groups: String = formats.iter().map(group).collect();
@@ -28,7 +29,7 @@ pub fn of(study: &Study, method: &str) -> String {
 /// The true spheres to compare with.
 pub fn truth(study: &Study, subject: &str) -> String {
     let truths = study.pictures.iter().filter(|picture| picture.kind == Kind::Truth && picture.subject == subject);
-    let images: String = truths.map(image).collect();
+    let images: String = truths.map(|picture| image(study, picture)).collect();
     if images.is_empty() { images } else { format!("<div class=\"spheres\">{}</div>\n", figure("the truth", &images)) }
 }
 
@@ -36,11 +37,19 @@ fn figure(format: &str, images: &str) -> String {
     format!("<figure><figcaption>{}</figcaption>{images}</figure>", escape(format))
 }
 
-fn image(picture: &Picture) -> String {
+/// A picture, cut out of the contact sheet of the page where it is on it.
+fn image(study: &Study, picture: &Picture) -> String {
     let [width, height] = picture.size;
     let caption = escape(&picture.caption);
+    if let Some([x, y]) = contact::place(picture, &study.pictures) {
+        return format!(
+            "<svg role=\"img\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"{x} {y} {width} {height}\"><title>{caption}</title><use href=\"#sheet-{}\"/></svg>",
+            picture.subject
+        );
+    }
     format!(
-        "<img alt=\"{caption}\" title=\"{caption}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\" \
+        "<img alt=\"{caption}\" title=\"{caption}\" width=\"{width}\" height=\"{height}\" \
          src=\"data:image/png;base64,{}\">",
         STANDARD.encode(&picture.png)
     )
