@@ -99,7 +99,7 @@ mod tests {
         let rows = sample::sweep();
         let cap = line(&Family::all(&rows)[0]);
         // The errors of the sample halve with every bit, from 8 % in 8.
-        assert!(cap.contains(">≤ 8 (10)<") && cap.contains(">12 (14)<") && cap.contains(">none<"), "{cap}");
+        assert!(cap.contains(">≤ 8 (10)<") && cap.contains(">11–12 (14)<") && cap.contains(">none<"), "{cap}");
     }
 
     #[test]
