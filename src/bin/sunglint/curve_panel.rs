@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn every_format_has_a_line_in_its_colour_and_a_name() {
         let svg = drawn(&sample::curves("cap", "angle"));
-        for (format, colour) in [("f64", "#000000"), ("f16", "#0072b2")] {
+        for (format, colour) in [("f64", "#000000"), ("f16", "#d55e00")] {
             let paths = svg.matches(&format!("stroke=\"{colour}\"")).count();
             assert!(paths >= 2 && svg.contains(&format!(">{format}</text>")), "{format}: {paths}");
         }

@@ -12,9 +12,10 @@ use crate::result::{Row, Study};
 /// The part of the light's radius that an answer may be wrong by.
 const WITHIN: f64 = 0.01;
 
-/// The box; empty where no direction was measured.
+/// The box; empty where no direction was measured, or the light is a point.
 pub fn all(study: &Study) -> String {
-    let Some(first) = study.rows.first() else { return String::new() };
+    // No error is a part of a point's radius.
+    let Some(first) = study.rows.first().filter(|row| row.theta > 0.0) else { return String::new() };
     // Peers are there to compare with, not to choose from.
     let rows: Vec<_> = under_light(study.all_directions(), &first.light);
     let rows: Vec<_> = rows.into_iter().filter(|row| !is_peer(row.by)).collect();
