@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn anchors_stand_where_rounding_is_part_of_the_error() {
         let anchors = |kind| shown(kind).anchors.len();
-        assert_eq!(ErrorKind::CHARTS.map(anchors), [2, 2, 0, 0]);
+        assert_eq!(ErrorKind::CHARTS.map(anchors), [2, 0, 2, 0]);
         let first = &shown(ErrorKind::Total).anchors[0];
         assert_eq!((first.cost, first.error), (Some(0.25), 3e-8));
         assert!(first.tooltip.contains("an empty call: 0.25"), "{}", first.tooltip);

@@ -21,7 +21,7 @@ impl ErrorKind {
     pub const ALL: [Self; 2] = [Self::Arithmetic, Self::Total];
 
     /// Those that the page has charts of.
-    pub const CHARTS: [Self; 4] = [Self::Arithmetic, Self::Total, Self::Edge, Self::Model];
+    pub const CHARTS: [Self; 4] = [Self::Total, Self::Edge, Self::Arithmetic, Self::Model];
 
     /// Name as a word in a sentence.
     pub fn name(self) -> &'static str {

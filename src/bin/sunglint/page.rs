@@ -168,7 +168,7 @@ mod tests {
     fn the_plain_figures_are_those_that_the_controls_begin_with() {
         let html = report(&sample::whole_study(vec![sample::row("cap", "f32", 1.0, 1e-7)]));
         for first in [
-            "<figure data-light=\"Sun from Earth\" data-kind=\"arithmetic\" data-axis=\"host\">",
+            "<figure data-light=\"Sun from Earth\" data-kind=\"total\" data-axis=\"host\">",
             "<figure data-case=\"Sun, alpha 0.001\" data-kind=\"total\" data-mean=\"rms\" data-axis=\"host\">",
             "<figure class=\"several\" data-mean=\"rms\" data-axis=\"host\">",
         ] {

@@ -49,7 +49,7 @@ fn line(rows: &[&Row], costs: Costs) -> String {
     let cheapest = priced.iter().filter(works).filter(near).min_by(by_cost);
     let most_exact = priced.iter().filter(works).min_by(by_error);
     let on = match costs.axis {
-        Axis::Host => "this machine".to_owned(),
+        Axis::Host => "this machine, in calls of f32 factored".to_owned(),
         Axis::Chip(core) => format!("Cortex-{}", core.name()),
     };
     let cells = [cheapest, most_exact]

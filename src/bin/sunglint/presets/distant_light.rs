@@ -15,7 +15,7 @@ pub const PRESET: Preset = Preset {
     source: "LuxCoreRender/LuxCore, issue 298 (2020), which gives 1 / (2 pi (1 - cos theta)) with the cosine kept \
              below 1, which is left out here; PixarAnimationStudios/OpenUSD, pull request 3182 (2025), on UsdLux \
              DistantLight, whose sizeFactor is 1 at an angle of 0",
-    question: "What is one over the solid angle of a distant light, which keeps its brightness whatever its angle, in f32?",
+    question: "By what does a distant light grow brighter as its angle shrinks, 1 / solid angle, in f32?",
     chart: Some(Axes {
         title: "Factor of a distant light, f32",
         input: "angle (diameter), degrees",
