@@ -140,10 +140,10 @@ pub fn legend(field: &Field, key: &Key) -> [(&'static str, Vec<LegendEntry>); 3]
         rest.push(entry("grey: a peer", PEER, LegendShape::Marker(MarkerShape::Hexagon)));
     }
     if !field.anchors.is_empty() {
-        rest.push(entry("small: ideal", INK, LegendShape::Marker(MarkerShape::Hexagon)));
+        rest.push(entry("small: ideal", INK, LegendShape::CircleSize(3.5)));
     }
     rest.extend(line_entries(field));
-    rest.extend(bound_entries(field).into_iter().map(|name| entry(name, INK, LegendShape::Circle)));
+    rest.extend(bound_entries(field).into_iter().map(|(name, shape)| entry(name, INK, shape)));
     [
         ("Shape: method", key.methods.iter().map(method).collect()),
         ("Colour: format", key.formats.iter().map(format).collect()),
@@ -163,14 +163,14 @@ fn line_entries(field: &Field) -> impl Iterator<Item = LegendEntry> {
 }
 
 /// How marks show what their bounds rest on, of those that there are.
-fn bound_entries(field: &Field) -> Vec<&'static str> {
+fn bound_entries(field: &Field) -> Vec<(&'static str, LegendShape)> {
     let names = [
-        (Bound::Exhaustive, "rim: exhaustive"),
-        (Bound::Searched, "plain: searched"),
-        (Bound::Sampled, "dot: sampled"),
+        (Bound::Exhaustive, ("rim: exhaustive", LegendShape::Circle)),
+        (Bound::Searched, ("plain: searched", LegendShape::Circle)),
+        (Bound::Sampled, ("dot: sampled", LegendShape::CircleSize(2.0))),
     ];
     let has = |bound: Bound| field.points.iter().any(|point| point.bound == Some(bound));
-    names.into_iter().filter(|(bound, _)| has(*bound)).map(|(_, name)| name).collect()
+    names.into_iter().filter(|(bound, _)| has(*bound)).map(|(_, entry)| entry).collect()
 }
 
 /// Text of `scene` with a name for screen readers, able to grow and shrink.
