@@ -158,7 +158,8 @@ fn what_worst_prints_can_be_pasted() {
         };
         let shown = text.replace('"', " ");
         let figures = shown.split([' ', ':', ',', '\n']).filter_map(|word| word.parse::<f64>().ok());
-        assert!(figures.into_iter().any(|figure| figure == error), "{error} {text}");
+        // What a search found is on record to six digits.
+        assert!(figures.into_iter().any(|figure| (figure / error - 1.0).abs() < 5e-6), "{error} {text}");
         pasted += 1;
     }
     // Three lights, three cases, one building block.
@@ -167,15 +168,18 @@ fn what_worst_prints_can_be_pasted() {
     assert_eq!(table.lines().filter(|line| line.starts_with("  sunglint ")).count(), 7, "{table}");
 }
 
-/// The columns of a table but those of times.
+/// The columns of a table but those of times, and the lines but those that measure a time.
 fn without_times(table: &str) -> String {
     let times = ["cost", "latency", "empty", "frontier"];
     let mut lines = csv::ReaderBuilder::new().has_headers(false).from_reader(table.as_bytes());
     let lines: Vec<_> = lines.records().collect::<Result<_, _>>().expect("a table");
     let Some(head) = lines.first() else { return String::new() };
     let kept: Vec<_> = (0..head.len()).filter(|&place| !times.iter().any(|time| head[place].contains(time))).collect();
+    let measure = head.iter().position(|name| name == "measure");
+    let is_time =
+        |line: &&csv::StringRecord| measure.is_some_and(|at| times.iter().any(|time| line[at].contains(time)));
     let line = |line: &csv::StringRecord| kept.iter().map(|&place| line[place].to_owned() + ";").collect::<String>();
-    lines.iter().map(line).collect()
+    lines.iter().filter(|line| !is_time(line)).map(line).collect()
 }
 
 /// The files below a folder, by their paths.
