@@ -201,10 +201,10 @@ mod tests {
 
     #[test]
     fn bits_hang_on_every_lane() {
-        let lanes = [half::f16::ONE, half::f16::NAN, half::f16::EPSILON];
+        let lanes = [sunglint::half::f16::ONE, sunglint::half::f16::NAN, sunglint::half::f16::EPSILON];
         for place in 0..3 {
             let mut other = lanes;
-            other[place] = half::f16::ZERO;
+            other[place] = sunglint::half::f16::ZERO;
             assert_ne!(lane_bits(&lanes), lane_bits(&other));
         }
         assert_ne!(level_bits::<f32>(&1.0), level_bits::<f32>(&1.5));
