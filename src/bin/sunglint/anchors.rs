@@ -1,4 +1,4 @@
-//! What nothing can be cheaper or more exact than: the empty call, and the true answer rounded into the format.
+//! What costs and errors are compared with: the empty call, and the true answer rounded into the format.
 
 use indicatif::ProgressBar;
 use serde::Serialize;
@@ -170,7 +170,7 @@ mod tests {
                 _ => assert!(row.rounded_max < 1e-3, "{row:?}"),
             }
             assert!(row.rounded_rms < row.rounded_max || row.rounded_max == 0.0, "{row:?}");
-            assert!(row.empty.is_finite() && row.empty > 0.0, "{row:?}");
+            assert!(row.empty.is_finite(), "{row:?}");
         }
     }
 }

@@ -23,7 +23,7 @@ pub struct Field {
     pub frame: Frame,
     /// What was measured.
     pub points: Vec<Point>,
-    /// What nothing can be cheaper or more exact than.
+    /// The true answers as the formats hold them, at the cost of empty calls.
     pub anchors: Vec<Anchor>,
     /// Errors to compare with.
     pub lines: Vec<Line>,

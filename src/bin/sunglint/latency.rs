@@ -83,6 +83,6 @@ mod tests {
         assert_eq!(progress.position(), steps(&options) as u64);
         let latencies = study.rows.iter().map(|row| row.latency).chain(study.all_pixels().map(|row| row.latency));
         let latencies: Vec<_> = latencies.collect();
-        assert!(latencies.len() == 10 && latencies.iter().all(|&latency| latency.is_finite() && latency > 0.0));
+        assert!(latencies.len() == 10 && latencies.iter().all(|&latency| latency.is_finite()));
     }
 }

@@ -45,7 +45,7 @@ pub fn of(point: &Point, key: &Key, at: (f64, f64), size: f64) -> Vec<ScatterPlo
     marks
 }
 
-/// The mark of the answer that nothing can better: small and hollow.
+/// The mark of the true answer as the format holds it: small and hollow.
 pub fn of_anchor(anchor: &Anchor, key: &Key, at: (f64, f64)) -> [ScatterPlot; 2] {
     let title = mark_groups::title("", &anchor.tooltip);
     let mark = |colour: &str, size: f64| part(&title, at, MarkerShape::Hexagon, colour, size);

@@ -143,7 +143,7 @@ pub struct Study {
     pub kernels: Vec<KernelRow>,
     /// One row per function, format, author and case that was counted on microcontrollers.
     pub chip: Vec<ChipRow>,
-    /// One row per light or case and format: what nothing can be cheaper or more exact than.
+    /// One row per light or case and format: the true answer as the format holds it, at the cost of an empty call.
     pub anchors: Vec<AnchorRow>,
     /// One row per method, format and place along an angle or a ratio.
     pub curves: Vec<CurveRow>,

@@ -116,18 +116,20 @@ fn of_pixel(row: &PixelRow, options: &Options) -> Worst {
     }
 }
 
+/// Of this run: what a search or all inputs know beyond that is kept without an input of the study's kind, and the
+/// command would not find it.
 fn of_kernel(row: &KernelRow, options: &Options) -> Worst {
     Worst {
         subject: "building block",
         light: String::new(),
         method: row.kernel.clone(),
         format: row.format.clone(),
-        error: row.bound_max,
+        error: row.error_max,
         unit: row.unit.clone(),
         failure: None,
-        bound: row.bound,
-        samples: row.bound_samples,
-        seed: seed(row.bound, options),
+        bound: Bound::Sampled,
+        samples: row.samples,
+        seed: seed(Bound::Sampled, options),
         input: row.worst_input.clone(),
         repro: row.repro.clone(),
     }
