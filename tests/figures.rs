@@ -100,23 +100,30 @@ fn worst(errors: Errors, rows: usize, seed: u64, draws: usize, climbs: usize) ->
     table
 }
 
+/// Directions on the wrong side of the rim are so rare that only a long search finds the worst, and not from every seed.
+fn rare(name: &str) -> bool {
+    name.starts_with("rim")
+}
+
 fn holds(errors: Errors, rows: &[Row]) {
     for ((name, budgets), found) in rows.iter().zip(worst(errors, rows.len(), 1, 20_000, 1000)) {
         println!("{name}: worst {found:?}, budgets {budgets:?}");
         for format in Format::ALL {
             let (budget, found) = (budgets[format as usize], found[format as usize]);
             assert!(found <= budget, "{name} in {}: {found:e} is above {budget:e}", format.name());
-            // Directions on the wrong side of the rim are so rare that only the long search finds the worst.
-            let rare = name.starts_with("rim");
-            assert!(rare || 4.0 * found >= budget, "{name} in {}: {budget:e} is far above {found:e}", format.name());
+            assert!(
+                rare(name) || 4.0 * found >= budget,
+                "{name} in {}: {budget:e} is far above {found:e}",
+                format.name()
+            );
         }
     }
 }
 
-fn measured(errors: Errors, rows: &[Row]) {
+fn measured(errors: Errors, rows: &[Row], seeds: u64, climbs: usize) {
     let mut table = vec![[0.0_f64; 7]; rows.len()];
-    for seed in 1..=3 {
-        for (most, found) in table.iter_mut().zip(worst(errors, rows.len(), seed, 300_000, 20_000)) {
+    for seed in 1..=seeds {
+        for (most, found) in table.iter_mut().zip(worst(errors, rows.len(), seed, 300_000, climbs)) {
             *most = std::array::from_fn(|i| most[i].max(found[i]));
         }
     }
@@ -124,7 +131,7 @@ fn measured(errors: Errors, rows: &[Row]) {
     for ((name, budgets), found) in rows.iter().zip(table) {
         let list = found.map(|found| format!("{:e}", suggested(found))).join(", ");
         println!("    (\"{name}\", [{list}]),");
-        let near = |i: usize| found[i] <= budgets[i] && 1.12 * found[i] >= budgets[i] / 1.25;
+        let near = |i: usize| found[i] <= budgets[i] && (rare(name) || 1.12 * found[i] >= budgets[i] / 1.25);
         stale += (0..7).filter(|&i| !near(i)).count();
     }
     assert_eq!(stale, 0, "budgets of other figures than those printed");
@@ -136,9 +143,9 @@ fn sampling_keeps_its_budgets() {
 }
 
 #[test]
-#[ignore = "a minute in release: cargo test --release --test figures -- --ignored --nocapture"]
+#[ignore = "two minutes in release: cargo test --release --test figures -- --ignored --nocapture"]
 fn budgets_of_sampling_measured() {
-    measured(sampling::errors, &sampling::BUDGETS);
+    measured(sampling::errors, &sampling::BUDGETS, 8, 60_000);
 }
 
 #[test]
@@ -149,7 +156,7 @@ fn black_bodies_keep_their_budgets() {
 #[test]
 #[ignore = "two minutes in release: cargo test --release --test figures -- --ignored --nocapture"]
 fn budgets_of_black_bodies_measured() {
-    measured(blackbody::errors, &blackbody::BUDGETS);
+    measured(blackbody::errors, &blackbody::BUDGETS, 3, 20_000);
 }
 
 #[test]
@@ -160,5 +167,5 @@ fn radiometry_keeps_its_budgets() {
 #[test]
 #[ignore = "five minutes in release: cargo test --release --test figures -- --ignored --nocapture"]
 fn budgets_of_radiometry_measured() {
-    measured(radiometry::errors, &radiometry::BUDGETS);
+    measured(radiometry::errors, &radiometry::BUDGETS, 3, 20_000);
 }

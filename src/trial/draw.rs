@@ -129,11 +129,13 @@ impl<'a> Draw<'a> {
         DistantLight::from_ratio(ratio).unwrap_or(SUN)
     }
 
-    /// A light of any size up to the full sphere: as [`Draw::sphere`], or by its UsdLux angle in degrees.
+    /// A light of any size up to the full sphere: as [`Draw::sphere`], or by its UsdLux angle in degrees, also where next
+    /// to nothing is left of the full sphere.
     pub fn light(&mut self) -> DistantLight {
-        let angle = match self.byte() % 4 {
+        let angle = match self.byte() % 8 {
             0 => self.between(180.0, 360.0),
-            1 => self.one_of([180.0, 360.0, 0.0, 0.53, 270.0, 359.99, 180.0_f64.next_up(), 180.0_f64.next_down()]),
+            4 => 360.0 - self.logarithmic(1e-5, 10.0),
+            1 | 5 => self.one_of([180.0, 360.0, 0.0, 0.53, 270.0, 359.99, 180.0_f64.next_up(), 180.0_f64.next_down()]),
             _ => return self.sphere(),
         };
         DistantLight::from_angle(angle).unwrap_or(SUN)
