@@ -60,10 +60,15 @@
 //! whose lights are in a list of that crate's; no type of it is public. None changes a result. `oracle` adds the f64
 //! truth and the lists that tests and study share, without the standard library; `study` the host tool.
 #![cfg_attr(not(test), no_std)]
-#![forbid(unsafe_code)]
+#![cfg_attr(not(feature = "capi"), forbid(unsafe_code))]
+#![deny(unsafe_code)]
 #![warn(missing_docs)]
 
 pub mod blackbody;
+// Symbols by name are unsafe attributes.
+#[cfg(feature = "capi")]
+#[allow(unsafe_code)]
+pub mod capi;
 mod constant;
 pub mod diffuse;
 mod exponential;
