@@ -127,7 +127,8 @@ impl<T: Real, const LIGHTS: usize, H: Highlight<T>> Scene<T, LIGHTS, H> {
     ///
     /// Of each light: Lambert's law for what of the disc is above the surface
     /// ([`relative_illuminance`]), and the highlight while its centre is. Black without lights, where `n` faces
-    /// away from all of them or from the viewer, and for NaN.
+    /// away from all of them or from the viewer, and for NaN. Levels saturate; those of f64 and f32 (micromath too) may
+    /// do so from a sixteenth of the greatest number on.
     #[inline]
     pub fn shade(&self, n: [T; 3], v: [T; 3]) -> [T::Level; 3] {
         let mut sum = [T::Scalar::ZERO; 3];

@@ -1,6 +1,9 @@
 //! The budgets of `trial::property` for any input: within them, and not far within, is the worst that draws and an
 //! ascent on their bytes find.
 
+use std::fs;
+use std::path::Path;
+
 use oorandom::Rand64;
 use sunglint::trial::property::figures::{Figures, Row};
 use sunglint::trial::property::{blackbody, radiometry, sampling};
@@ -41,6 +44,20 @@ impl Search {
             }
             bytes[0] = format;
             self.take(&bytes);
+        }
+    }
+
+    /// What the fuzzers' corpus has of a format.
+    fn replay(&mut self, family: &str, format: Format) {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus").join(family);
+        for entry in fs::read_dir(folder).unwrap() {
+            let case = fs::read(entry.unwrap().path()).unwrap();
+            let mut bytes = [0; LENGTH];
+            let length = case.len().min(LENGTH);
+            bytes[..length].copy_from_slice(&case[..length]);
+            if Draw::new(&bytes).format() == format {
+                self.take(&bytes);
+            }
         }
     }
 
@@ -87,11 +104,12 @@ fn suggested(worst: f64) -> f64 {
 }
 
 /// The worst of every row in every format.
-fn worst(errors: Errors, rows: usize, seed: u64, draws: usize, climbs: usize) -> Vec<[f64; 7]> {
+fn worst(family: &str, errors: Errors, rows: usize, seed: u64, draws: usize, climbs: usize) -> Vec<[f64; 7]> {
     let mut table = vec![[0.0; 7]; rows];
     for format in Format::ALL {
         let mut search = Search::new(errors, rows, seed);
         search.draw(format as u8, draws);
+        search.replay(family, format);
         search.climb(climbs);
         for (row, top) in table.iter_mut().zip(search.tops) {
             row[format as usize] = top.error;
@@ -105,8 +123,8 @@ fn rare(name: &str) -> bool {
     name.starts_with("rim")
 }
 
-fn holds(errors: Errors, rows: &[Row]) {
-    for ((name, budgets), found) in rows.iter().zip(worst(errors, rows.len(), 1, 20_000, 1000)) {
+fn holds(family: &str, errors: Errors, rows: &[Row]) {
+    for ((name, budgets), found) in rows.iter().zip(worst(family, errors, rows.len(), 1, 20_000, 1000)) {
         println!("{name}: worst {found:?}, budgets {budgets:?}");
         for format in Format::ALL {
             let (budget, found) = (budgets[format as usize], found[format as usize]);
@@ -120,10 +138,10 @@ fn holds(errors: Errors, rows: &[Row]) {
     }
 }
 
-fn measured(errors: Errors, rows: &[Row], seeds: u64, climbs: usize) {
+fn measured(family: &str, errors: Errors, rows: &[Row], seeds: u64, climbs: usize) {
     let mut table = vec![[0.0_f64; 7]; rows.len()];
     for seed in 1..=seeds {
-        for (most, found) in table.iter_mut().zip(worst(errors, rows.len(), seed, 300_000, climbs)) {
+        for (most, found) in table.iter_mut().zip(worst(family, errors, rows.len(), seed, 300_000, climbs)) {
             *most = std::array::from_fn(|i| most[i].max(found[i]));
         }
     }
@@ -139,33 +157,33 @@ fn measured(errors: Errors, rows: &[Row], seeds: u64, climbs: usize) {
 
 #[test]
 fn sampling_keeps_its_budgets() {
-    holds(sampling::errors, &sampling::BUDGETS);
+    holds("sampling", sampling::errors, &sampling::BUDGETS);
 }
 
 #[test]
 #[ignore = "two minutes in release: cargo test --release --test figures -- --ignored --nocapture"]
 fn budgets_of_sampling_measured() {
-    measured(sampling::errors, &sampling::BUDGETS, 8, 60_000);
+    measured("sampling", sampling::errors, &sampling::BUDGETS, 8, 60_000);
 }
 
 #[test]
 fn black_bodies_keep_their_budgets() {
-    holds(blackbody::errors, &blackbody::BUDGETS);
+    holds("blackbody", blackbody::errors, &blackbody::BUDGETS);
 }
 
 #[test]
 #[ignore = "two minutes in release: cargo test --release --test figures -- --ignored --nocapture"]
 fn budgets_of_black_bodies_measured() {
-    measured(blackbody::errors, &blackbody::BUDGETS, 3, 20_000);
+    measured("blackbody", blackbody::errors, &blackbody::BUDGETS, 3, 20_000);
 }
 
 #[test]
 fn radiometry_keeps_its_budgets() {
-    holds(radiometry::errors, &radiometry::BUDGETS);
+    holds("radiometry", radiometry::errors, &radiometry::BUDGETS);
 }
 
 #[test]
 #[ignore = "five minutes in release: cargo test --release --test figures -- --ignored --nocapture"]
 fn budgets_of_radiometry_measured() {
-    measured(radiometry::errors, &radiometry::BUDGETS, 3, 20_000);
+    measured("radiometry", radiometry::errors, &radiometry::BUDGETS, 3, 20_000);
 }

@@ -40,11 +40,11 @@ pub const ROUNDING: f64 = 1.0;
 /// where it finds less, for then the directions beside the given ones explain it all (`tests/highlight_budget.rs`).
 pub const STEPS: [[f64; 7]; 6] = [
     [22.0, 13.0, 1.0, 4.6, 1.0, 4.2, 1.0],
-    [30.0, 18.0, 1.3, 7.5, 1.0, 4.4, 1.0],
-    [37.0, 17.0, 2.2, 9.3, 1.0, 6.3, 1.3],
-    [30.0, 17.0, 2.2, 12.0, 1.0, 6.7, 2.7],
-    [1.0, 14.0, 2.0, 84.0, 1.0, 1.0, 1.0],
-    [1.0, 3.8, 1.0, 72.0, 1.0, 1.0, 1.0],
+    [30.0, 21.0, 1.3, 7.5, 1.0, 4.5, 1.0],
+    [95.0, 17.0, 2.2, 9.3, 1.0, 6.3, 1.3],
+    [30.0, 18.0, 2.2, 12.0, 1.0, 6.7, 2.8],
+    [1.0, 14.0, 2.0, 85.0, 1.0, 1.0, 1.0],
+    [1.0, 4.2, 1.0, 72.0, 1.0, 1.0, 1.0],
 ];
 
 /// What the cone's root lacks, or the oracle's, which is of a cubic whose coefficients cancel: a share of the value, or
