@@ -28,11 +28,11 @@ pub const BUDGETS: [Row; LAMBERT + 1] = [
     ("relative illuminance, ratio to 0.01", [2.8e-7, 9.4e-7, 1.3e-5, 6.8e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
     ("relative illuminance, ratio to 0.1", [2.8e-7, 9.6e-7, 1.3e-5, 7.2e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
     ("relative illuminance, ratio to 0.5", [2.8e-7, 9.7e-7, 1.7e-5, 6.5e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
-    ("relative illuminance, ratio to 0.9", [2.8e-7, 9e-7, 1.6e-5, 6.4e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
+    ("relative illuminance, ratio to 0.9", [2.8e-7, 1.1e-6, 1.6e-5, 6.4e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
     ("relative illuminance, ratio to 1", [2.8e-7, 9.1e-7, 1.7e-5, 5.5e-3, 2.9e-7, 2.9e-7, 2.9e-7]),
     ("relative illuminance, beyond half the sky", [1.4e-7, 3.9e-7, 7.6e-6, 1.7e-3, 1.4e-7, 1.4e-7, 1.4e-7]),
     ("illuminance", [4.4e-7, 1.5e-6, 2.5e-5, 7.3e-3, 4.4e-7, 4.4e-7, 4.4e-7]),
-    ("lambert", [3.4, 3.3, 3.3, 2.7, 1.4, 2.9, 1.4]),
+    ("lambert", [3.4, 3.3, 3.3, 3.2, 1.4, 2.9, 1.4]),
 ];
 
 /// A disc over a plane, as the format holds it.
