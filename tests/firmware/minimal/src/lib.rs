@@ -13,9 +13,10 @@ use sunglint::{DistantSphere, Real};
 /// How many inputs there are.
 const INPUTS: usize = 512;
 
+/// Beyond what the linker knows of.
 const RAM: usize = if cfg!(target_arch = "arm") { 0x2100_0000 } else { 0x8000_0000 };
 
-/// Where a driver would read its sensors; `..4 MB` is the stack's.
+/// Where a driver would read its sensors. The stack is what lies 4 MB lower.
 const DIRECTIONS: usize = RAM + (8 << 20);
 
 /// Where it would put what it has computed.

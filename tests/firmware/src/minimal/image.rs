@@ -19,6 +19,7 @@ pub struct Image {
     by: &'static str,
 }
 
+/// By this crate, in the format's own arithmetic.
 const OWN: &str = "sunglint";
 
 const fn cap(bin: &'static str, format: Format) -> Image {

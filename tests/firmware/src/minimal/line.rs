@@ -7,9 +7,11 @@ use crate::image::Cost;
 /// In the order of the table's columns, and of the targets.
 pub const CORES: [&str; 4] = ["M0+", "M3", "M4F", "riscv32imc"];
 
+/// Names of the columns.
 pub const HEADER: &str = "function,format,by,m0_text,m0_rodata,m0_stack,m3_text,m3_rodata,m3_stack,\
     m4_text,m4_rodata,m4_stack,rv_text,rv_rodata,rv_stack";
 
+/// Of one core.
 const FIGURES: [&str; 3] = ["text", "rodata", "stack"];
 
 /// An image's figures.

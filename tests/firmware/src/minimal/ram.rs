@@ -4,13 +4,16 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
+/// Of the file.
 const SIZE: u64 = 16 << 20;
 
 /// Where the stack begins, downwards.
 const STACK: u64 = 4 << 20;
 
+/// As the crate `minimal` has it.
 const DIRECTIONS: u64 = 8 << 20;
 
+/// As the crate `minimal` has it.
 const ANSWERS: u64 = 12 << 20;
 
 /// More than any image takes.
@@ -27,6 +30,7 @@ pub struct Outcome {
     pub answers: Vec<u8>,
 }
 
+/// Paints the stack and puts the directions where the image reads them.
 pub fn prepare(path: &Path, directions: &[u8]) {
     let fill = || {
         let mut file = File::create(path)?;
@@ -39,6 +43,7 @@ pub fn prepare(path: &Path, directions: &[u8]) {
     fill().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
 }
 
+/// What the image has left.
 pub fn read(path: &Path) -> Outcome {
     let read = |start, length| {
         let mut bytes = vec![0; length];
