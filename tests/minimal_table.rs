@@ -84,7 +84,7 @@ fn chips() -> Vec<String> {
     let line = |Advice { chips, take, format, core }: &Advice| {
         let error = format.map(|format| format!("{:.1e}", budget::maximum(Method::Cap, format, 0).unwrap()));
         let counted = format.zip(core.and_then(|core| Core::ALL.get(core).copied()));
-        let instructions = counted.map(|(format, core)| instructions(format, core));
+        let instructions = counted.map(|(format, core)| instructions(format, core).to_string());
         let measured = format.zip(*core).and_then(|(format, core)| needs("cap", format.name(), "sunglint", core));
         let flash = measured.map(|needs| needs.flash.to_string());
         let [error, instructions, flash] = [error, instructions, flash].map(Option::unwrap_or_default);
@@ -94,11 +94,11 @@ fn chips() -> Vec<String> {
 }
 
 /// Median of `cap` outside the disc.
-fn instructions(format: Format, core: Core) -> String {
+fn instructions(format: Format, core: Core) -> u32 {
     let row = rows()
         .find(|row| (row.function, row.format, row.by, row.case) == ("cap", format.name(), "sunglint", "outside"))
         .unwrap();
-    row.on(core).unwrap().median.to_string()
+    row.on(core).unwrap().median
 }
 
 /// Lines of the section's tables, those of names and rules left out.
@@ -115,6 +115,22 @@ fn the_tables_in_the_readme_are_as_measured() {
     let tables = tables();
     let same = tables.len() == expected.len() && tables.iter().zip(&expected).all(|(line, own)| line.starts_with(own));
     assert!(same, "the README's tables should begin so:\n{}", expected.join("\n"));
+}
+
+#[test]
+fn reasons_are_as_measured() {
+    let flash = |format: Format, core| needs("cap", format.name(), "sunglint", core).unwrap().flash;
+    let of_instructions = instructions(Format::F32, Core::M0) / instructions(Format::I2F14, Core::M0);
+    let fewer = instructions(Format::I2F30, Core::M3) - instructions(Format::I2F14, Core::M3);
+    let smaller = flash(Format::I2F30, 1) - flash(Format::I2F14, 1);
+    let reasons = [
+        format!("a {of_instructions}th of f32's instructions"),
+        format!("{fewer} more than I2F14, which has {smaller} bytes less"),
+        format!("I2F30 takes {}", instructions(Format::I2F30, Core::M4)),
+        format!("I2F30 is {} bytes, f32 by software {}", flash(Format::I2F30, 3), flash(Format::F32, 3)),
+    ];
+    let missing: Vec<_> = reasons.into_iter().filter(|reason| !README.contains(reason)).collect();
+    assert!(missing.is_empty(), "the README should say {missing:#?}");
 }
 
 #[test]
