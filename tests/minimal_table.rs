@@ -1,5 +1,5 @@
-//! The README's tables of minimal firmware, and of what to take on which chip, are made of what `tests/firmware/run` has
-//! measured and of the budgets; where they are not, the test prints the lines to put there.
+//! The README's tables of minimal firmware, and of what to take on which chip, are made of what `tests/firmware/run`
+//! has measured and of the budgets; where they are not, the test prints the lines to put there.
 
 use sunglint::trial::chip::{Core, rows};
 use sunglint::trial::{Format, Method, budget};

@@ -1,5 +1,5 @@
-//! `minimal <folder of targets> <committed table> <target>...`: measures the least firmware in each format, runs it, and
-//! compares with the committed table; with `SUNGLINT_RECORD=1` it writes that instead.
+//! `minimal <folder of targets> <committed table> <target>...`: measures the least firmware in each format, runs it,
+//! and compares with the committed table; with `SUNGLINT_RECORD=1` it writes that instead.
 
 #[path = "../table/elf.rs"]
 mod elf;
