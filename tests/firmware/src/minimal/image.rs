@@ -74,7 +74,7 @@ impl Image {
         [text, rodata, outcome.stack]
     }
 
-    /// Whose answers it has to give; a pixel's are not looked at.
+    /// Whose answers it has to give. Of pixels no more is asked than that some are lit.
     fn by(&self) -> Option<By> {
         match (self.function, self.by) {
             ("nothing", _) => Some(By::Nobody),
