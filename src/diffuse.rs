@@ -91,6 +91,19 @@ pub fn lambert<T: Real>(albedo: T, illuminance: T::Level, n_dot_l: T::Wide) -> T
 /// fades out as it sets.
 ///
 /// Arguments and special cases are those of the two; the error is that of the one more than that of the other.
+///
+/// ```
+/// use sunglint::fixed::types::{I2F14, U16F16};
+/// use sunglint::{DistantSphere, SUN, lambert, lambert_disc};
+///
+/// const SUN_Q14: DistantSphere<I2F14> = DistantSphere::<I2F14>::new(&SUN);
+///
+/// // Snow under 2000 units of light; n.l in Q28. High up both laws are one; half set, the disc alone still lights.
+/// let (snow, light) = (I2F14::from_num(0.9), U16F16::from_num(2000));
+/// assert_eq!(lambert_disc(snow, light, 1 << 27, &SUN_Q14), lambert(snow, light, 1 << 27));
+/// assert_eq!(lambert(snow, light, 0), U16F16::ZERO);
+/// assert!((lambert_disc(snow, light, 0, &SUN_Q14).to_num::<f64>() - 0.5655).abs() < 1e-3);
+/// ```
 #[inline]
 pub fn lambert_disc<T: Real>(albedo: T, illuminance: T::Level, n_dot_l: T::Wide, light: &DistantSphere<T>) -> T::Level {
     matt::<T>(albedo, illuminance, relative_illuminance(n_dot_l, light))
@@ -144,6 +157,18 @@ pub fn relative_illuminance<T: Real>(n_dot_l: T::Wide, light: &DistantSphere<T>)
 /// the least normal number of a float has lost digits before a great radiance multiplies it. In f16 the Sun of radiance
 /// 1 gives 6.8e-5, next to that number: there, scale the radiance, or use [`lambert_disc`] with the illuminance. What
 /// is too great for a float is infinite.
+///
+/// ```
+/// use core::f64::consts::PI;
+/// use sunglint::{DistantLight, DistantSphere, SUN, illuminance};
+///
+/// // The sky of radiance 1, and the Sun that gives 1361 W/m^2 overhead, at 30 degrees of elevation.
+/// let sky = DistantSphere::<f64>::of(&DistantLight::from_angle(180.0)?);
+/// assert!((illuminance(1.0, 1.0, &sky) - PI).abs() < 1e-15);
+/// let radiance = 1361.0 / (PI * SUN.sin() * SUN.sin());
+/// assert!((illuminance(radiance, 0.5, &DistantSphere::<f64>::new(&SUN)) - 680.5).abs() < 1e-9);
+/// # Ok::<(), sunglint::LightError>(())
+/// ```
 #[inline]
 pub fn illuminance<T: Real>(radiance: T::Scalar, n_dot_l: T::Wide, light: &DistantSphere<T>) -> T::Scalar {
     let relative = relative_illuminance(n_dot_l, light);

@@ -50,6 +50,19 @@ impl<T: Real> Cone<T> {
     /// The directions of `light` about the unit direction `l` to its centre.
     ///
     /// An `l` that is not finite, or longer than 2, is taken for zero; samples are then meaningless but finite.
+    ///
+    /// ```
+    /// use sunglint::fixed::types::I2F14;
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let lanes = |bits: [i16; 3]| bits.map(I2F14::from_bits);
+    /// let cone = Cone::new(lanes([0, 9830, 13107]), &DistantSphere::<I2F14>::new(&SUN));
+    /// assert!(cone.contains(lanes([0, 9830, 13107])) && !cone.contains(lanes([0, 0, 16384])));
+    /// // Nothing is where a direction is no number.
+    /// let nowhere = Cone::new([f32::NAN, 0.0, 1.0], &DistantSphere::<f32>::new(&SUN));
+    /// assert!(nowhere.direction([0.5, 0.5]).into_iter().all(f32::is_finite));
+    /// ```
     #[inline]
     pub fn new(l: [T; 3], light: &DistantSphere<T>) -> Self {
         let (zero, one) = (T::Scalar::ZERO, T::Scalar::ONE);
@@ -100,6 +113,17 @@ impl<T: Real> Cone<T> {
     ///
     /// Source: own derivation, in place of the published `acos(1 - z + z sqrt(1 - x^2))`, which has 183 angles for the
     /// Sun in f32, some of them outside.
+    ///
+    /// ```
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let cone = Cone::new([0.0, 0.0, 1.0], &DistantSphere::<f64>::new(&SUN));
+    /// assert_eq!(cone.direction([0.0, 0.7]), [0.0, 0.0, 1.0]);
+    /// // A quarter of the solid angle is within half of the radius; a quarter turn from x is y.
+    /// let [x, y, _] = cone.direction([0.25, 0.25]);
+    /// assert!(x.abs() < 1e-15 && (y / SUN.sin() - 0.5).abs() < 1e-5);
+    /// ```
     #[inline]
     pub fn direction(&self, point: [T; 2]) -> [T; 3] {
         let [z, turn] = point;
@@ -127,6 +151,17 @@ impl<T: Real> Cone<T> {
     /// to 4.8e-4 in f16, 6.8e-5 in I2F14 and 1.7e-5 in I16F16.
     ///
     /// False for NaN and infinities.
+    ///
+    /// ```
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// // The Sun's rim is 0.004 650 467 rad from its centre.
+    /// let cone = Cone::new([0.0, 0.0, 1.0], &DistantSphere::<f32>::new(&SUN));
+    /// let beside = |x: f32| [x, 0.0, (1.0 - x * x).sqrt()];
+    /// assert!(cone.contains(beside(0.004_650)) && !cone.contains(beside(0.004_651)));
+    /// assert!(!cone.contains([f32::NAN, 0.0, 1.0]));
+    /// ```
     #[inline]
     pub fn contains(&self, direction: [T; 3]) -> bool {
         let square = self.chord_square_to(direction);
@@ -138,6 +173,17 @@ impl<T: Real> Cone<T> {
     /// Relative error of it, as `tests/figures.rs` asserts for angular radii from 1e-5 (I2F14 and I16F16 0.001, f16
     /// 0.0045) up to the full sphere: f64 1.2e-15, f32 and micromath 3.6e-7, f16 2.8e-3, I2F14 4.2e-6, I2F30 2.6e-9,
     /// I16F16 2.7e-7.
+    ///
+    /// ```
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantLight, DistantSphere, SUN};
+    ///
+    /// let solid_angle = |light| Cone::new([0.0, 0.0, 1.0], &DistantSphere::<f32>::of(light)).solid_angle();
+    /// assert!((solid_angle(&SUN) / 6.794_3e-5 - 1.0).abs() < 1e-5);
+    /// // All directions.
+    /// assert!((solid_angle(&DistantLight::from_angle(360.0)?) / 12.566_371 - 1.0).abs() < 3.6e-7);
+    /// # Ok::<(), sunglint::LightError>(())
+    /// ```
     #[inline]
     pub fn solid_angle(&self) -> T::Scalar {
         self.solid_angle / scale::<T>()
@@ -149,6 +195,19 @@ impl<T: Real> Cone<T> {
     /// # Errors
     /// [`LightError::Overflow`] where that is infinite, in f16 below `x = 0.0022`.
     /// [`soft_shadow`](crate::shadow::soft_shadow) needs no density.
+    ///
+    /// ```
+    /// use sunglint::half::f16;
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantLight, DistantSphere, LightError, SUN};
+    ///
+    /// let up = [f16::ZERO, f16::ZERO, f16::ONE];
+    /// let pdf = |light| Cone::new(up, &DistantSphere::<f16>::of(light)).pdf();
+    /// assert!((pdf(&SUN)?.to_f32() / 14_718.0 - 1.0).abs() < 3e-3);
+    /// // A fifth as wide it is 25 times that, which f16 does not hold.
+    /// assert_eq!(pdf(&DistantLight::from_ratio(SUN.sin() / 5.0)?), Err(LightError::Overflow("f16")));
+    /// # Ok::<(), LightError>(())
+    /// ```
     #[inline]
     pub fn pdf(&self) -> Result<T::Scalar, LightError> {
         if self.narrow && self.reach <= T::Scalar::ZERO {
@@ -160,6 +219,16 @@ impl<T: Real> Cone<T> {
 
     /// What UsdLux `sizeFactor` is of the solid angle: `(1 + cos) / 2`, the mean over the disc of the cosine at a
     /// surface that faces it; beyond half the sky `(2 - sin^2) / (2 w)`, counting both sides of the surface.
+    ///
+    /// ```
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantLight, DistantSphere};
+    ///
+    /// // Under half the sky the mean cosine is 1/2: illuminance pi over a solid angle of 2 pi.
+    /// let sky = DistantSphere::<f64>::of(&DistantLight::from_ratio(1.0)?);
+    /// assert_eq!(Cone::new([0.0, 0.0, 1.0], &sky).mean_cosine(), 0.5);
+    /// # Ok::<(), sunglint::LightError>(())
+    /// ```
     #[inline]
     pub fn mean_cosine(&self) -> T::Scalar {
         self.mean_cosine
