@@ -91,7 +91,8 @@ impl<S: Scalar> Gloss<S> {
         Self { level: saturated(level), gain, fresnel: schlick(v_dot_h) }
     }
 
-    /// Radiance towards the viewer under a light of `illuminance`, for a reflectance at normal incidence of `f0`.
+    /// Radiance towards the viewer under a light of `illuminance`, in the unit of that per steradian, for a reflectance
+    /// at normal incidence of `f0`, from 0 to 1.
     ///
     /// ```
     /// use sunglint::highlight::{ConeGgx, Highlight};

@@ -4,7 +4,7 @@ use super::HALF;
 use crate::real::{Constant, Scalar};
 
 /// `V (n.l)`: the height-correlated Smith visibility `1 / (2 ((n.l) L(n.v) + (n.v) L(n.l)))`, with `L(c) =
-/// sqrt(alpha^2 + (1 - alpha^2) c^2)`, times the cosine of the light.
+/// sqrt(alpha^2 + (1 - alpha^2) c^2)`, times the cosine of the light. Cosines and `alpha` are from 0 to 1.
 ///
 /// The product stays below `1 / (2 alpha)`, where the visibility alone would reach `1 / (4 alpha^2)` and more than f16
 /// holds. For `alpha = 0` it is `1 / (4 n.v)`. Zero where `n.l` is zero, negative or NaN, and where `n.v` is not above
@@ -49,7 +49,8 @@ pub(super) fn visibility<S: Scalar>(n_dot_l: S, n_dot_v: S, alpha: S, flatness: 
     S::constant(HALF) / (toward_viewer + n_dot_v * (toward_light / n_dot_l))
 }
 
-/// `(1 - v.h)^5`, Schlick's weight of the reflectance that is missing at normal incidence; 0 for a cosine above 1.
+/// `(1 - v.h)^5` of a cosine from 0 to 1, Schlick's weight of the reflectance that is missing at normal incidence; 0
+/// for a cosine above 1, and for NaN.
 ///
 /// ```
 /// use sunglint::half::f16;
