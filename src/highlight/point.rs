@@ -57,8 +57,8 @@ impl<T: Real> PointGgx<T> {
     /// use sunglint::{DistantSphere, SUN};
     ///
     /// let (sun, up) = (DistantSphere::<f64>::new(&SUN), [0.0, 0.0, 1.0]);
-    /// let [plain, dimmed] =
-    ///     [PointGgx::none(&sun, 0.01), PointGgx::karis(&sun, 0.01)].map(|method| method.shade(up, up, up).radiance(1.0, 0.04));
+    /// let [plain, dimmed] = [PointGgx::none(&sun, 0.01), PointGgx::karis(&sun, 0.01)]
+    ///     .map(|method| method.shade(up, up, up).radiance(1.0, 0.04));
     /// assert!((dimmed / plain / karis(0.01, SUN.sin())? - 1.0).abs() < 1e-12);
     /// # Ok::<(), sunglint::LightError>(())
     /// ```

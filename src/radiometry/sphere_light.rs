@@ -218,7 +218,8 @@ impl<S: Scalar> SphereLight<S> {
     /// The radiance as light levels of the format `T`.
     ///
     /// # Errors
-    /// [`RadiometryError::Overflow`] where a channel is above the greatest level: 65 536 for I2F14 and I16F16, 2^32 for I2F30.
+    /// [`RadiometryError::Overflow`] where a channel is above the greatest level: 65 536 for I2F14 and I16F16,
+    /// `2^32` for I2F30.
     ///
     /// ```
     /// use sunglint::fixed::types::{I2F14, I2F30};
