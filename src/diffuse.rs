@@ -91,6 +91,19 @@ pub fn lambert<T: Real>(albedo: T, illuminance: T::Level, n_dot_l: T::Wide) -> T
 /// fades out as it sets.
 ///
 /// Arguments and special cases are those of the two; the error is that of the one more than that of the other.
+///
+/// ```
+/// use sunglint::fixed::types::{I2F14, U16F16};
+/// use sunglint::{DistantSphere, SUN, lambert, lambert_disc};
+///
+/// const SUN_Q14: DistantSphere<I2F14> = DistantSphere::<I2F14>::new(&SUN);
+///
+/// // Snow under 2000 units of light; n.l in Q28. High up both laws are one; half set, the disc alone still lights.
+/// let (snow, light) = (I2F14::from_num(0.9), U16F16::from_num(2000));
+/// assert_eq!(lambert_disc(snow, light, 1 << 27, &SUN_Q14), lambert(snow, light, 1 << 27));
+/// assert_eq!(lambert(snow, light, 0), U16F16::ZERO);
+/// assert!((lambert_disc(snow, light, 0, &SUN_Q14).to_num::<f64>() - 0.5655).abs() < 1e-3);
+/// ```
 #[inline]
 pub fn lambert_disc<T: Real>(albedo: T, illuminance: T::Level, n_dot_l: T::Wide, light: &DistantSphere<T>) -> T::Level {
     matt::<T>(albedo, illuminance, relative_illuminance(n_dot_l, light))
@@ -107,17 +120,18 @@ pub fn lambert_disc<T: Real>(albedo: T, illuminance: T::Level, n_dot_l: T::Wide,
 /// sky. The answer is never negative.
 ///
 /// Worst relative error at every elevation down to the last sliver, for the sine and the cosine as they are in the
-/// format (`tests/diffuse.rs`); of I2F30's and I16F16's cosines 31 bits count. Most of it is the polynomial, 2.5e-7.
-/// f16 counts answers below its least normal number, 6.1e-5, as that one; where it flushes them they are zero.
+/// format, of discs of a ratio up to the one given (searched for, `tests/figures.rs`); of I2F30's and I16F16's cosines
+/// 31 bits count. Most of it is the polynomial, 2.5e-7. f16 counts answers below its least normal number, 6.1e-5, as
+/// that one; where it flushes them they are zero.
 ///
 /// | ratio | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
 /// |---|---|---|---|---|---|---|---|
-/// | the Sun's | 2.8e-7 | 9.3e-7 | 1.3e-5 | 4.7e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
-/// | 0.5 | 2.8e-7 | 8.1e-7 | 1.7e-5 | 3.6e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
-/// | 1 | 2.8e-7 | 8.7e-7 | 1.6e-5 | 2.6e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
+/// | 0.01, as the Sun's | 2.8e-7 | 9.4e-7 | 1.3e-5 | 6.8e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
+/// | 0.5 | 2.8e-7 | 9.7e-7 | 1.7e-5 | 7.2e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
+/// | 1 | 2.8e-7 | 9.7e-7 | 1.7e-5 | 7.2e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
 ///
-/// Beyond half the sky the error is absolute: f32 1.2e-6, fixed point 7.1e-8, f16 7.7e-3 (it rounds the sine of 181
-/// degrees to 1).
+/// Beyond half the sky the error is absolute: f64 and fixed point 1.4e-7, f32 1.2e-6, micromath 8.3e-6, f16 7.7e-3 (it
+/// rounds the sine of 181 degrees to 1; `tests/diffuse.rs`).
 ///
 /// Cost: two comparisons; where the plane cuts the disc, two roots, three divisions and a polynomial of degree 10.
 ///
@@ -140,10 +154,24 @@ pub fn relative_illuminance<T: Real>(n_dot_l: T::Wide, light: &DistantSphere<T>)
 /// Illuminance of a plane under a disc of the given radiance: `radiance * pi x^2 *` [`relative_illuminance`] (beyond
 /// half the sky without `x^2`). `pi` for the sky of radiance 1.
 ///
-/// Worst relative error as that of [`relative_illuminance`], and a unit of the last place or two. A share of less than
+/// Worst relative error as that of [`relative_illuminance`], and a unit of the last place or two; beyond half the sky
+/// the error is a part of the radiance, at most 4.4e-7 in f64 and fixed point, 1.5e-6 in f32, 2.5e-5 in micromath and
+/// 7.3e-3 in f16 (searched for, `tests/figures.rs`). A share of less than
 /// the least normal number of a float has lost digits before a great radiance multiplies it. In f16 the Sun of radiance
 /// 1 gives 6.8e-5, next to that number: there, scale the radiance, or use [`lambert_disc`] with the illuminance. What
 /// is too great for a float is infinite.
+///
+/// ```
+/// use core::f64::consts::PI;
+/// use sunglint::{DistantLight, DistantSphere, SUN, illuminance};
+///
+/// // The sky of radiance 1, and the Sun that gives 1361 W/m^2 overhead, at 30 degrees of elevation.
+/// let sky = DistantSphere::<f64>::of(&DistantLight::from_angle(180.0)?);
+/// assert!((illuminance(1.0, 1.0, &sky) - PI).abs() < 1e-15);
+/// let radiance = 1361.0 / (PI * SUN.sin() * SUN.sin());
+/// assert!((illuminance(radiance, 0.5, &DistantSphere::<f64>::new(&SUN)) - 680.5).abs() < 1e-9);
+/// # Ok::<(), sunglint::LightError>(())
+/// ```
 #[inline]
 pub fn illuminance<T: Real>(radiance: T::Scalar, n_dot_l: T::Wide, light: &DistantSphere<T>) -> T::Scalar {
     let relative = relative_illuminance(n_dot_l, light);

@@ -54,6 +54,18 @@ pub trait Highlight<T: Real>: Copy {
     ///
     /// Zero where the surface faces away from the viewer or from the light's centre ([`PointGgx`] and
     /// [`ShiftedConeGgx`]: from the direction of the disc that they shade with), and for NaN.
+    ///
+    /// ```
+    /// use sunglint::highlight::{ConeGgx, Gloss, Highlight};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let sea = ConeGgx::new(&DistantSphere::<f32>::new(&SUN), 0.02);
+    /// let (n, l) = ([0.0, 0.0, 1.0], [0.6, 0.0, 0.8]);
+    /// // In the mirror's direction, from straight above, and from under the surface.
+    /// let [glint, above, below] = [[-0.6, 0.0, 0.8], n, [-0.6, 0.0, -0.8]].map(|v| sea.shade(n, v, l));
+    /// assert!(glint.level * glint.gain > 100.0 && above.level * above.gain < 0.01);
+    /// assert_eq!(below, Gloss::DARK);
+    /// ```
     fn shade(&self, n: [T; 3], v: [T; 3], l: [T; 3]) -> Gloss<T::Scalar>;
 }
 
@@ -79,7 +91,20 @@ impl<S: Scalar> Gloss<S> {
         Self { level: saturated(level), gain, fresnel: schlick(v_dot_h) }
     }
 
-    /// Radiance towards the viewer under a light of `illuminance`, for a reflectance at normal incidence of `f0`.
+    /// Radiance towards the viewer under a light of `illuminance`, in the unit of that per steradian, for a reflectance
+    /// at normal incidence of `f0`, from 0 to 1.
+    ///
+    /// ```
+    /// use sunglint::highlight::{ConeGgx, Highlight};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// // Chalk (alpha 1) seen from where the Sun is: of a light of illuminance pi its gloss shows a quarter of f0.
+    /// let up = [0.0, 0.0, 1.0];
+    /// let gloss = ConeGgx::new(&DistantSphere::<f64>::new(&SUN), 1.0).shade(up, up, up);
+    /// assert!((gloss.radiance(core::f64::consts::PI, 0.04) - 0.01).abs() < 1e-6);
+    /// // Twice the light is exactly twice the radiance.
+    /// assert_eq!(gloss.radiance(2.0, 0.04), 2.0 * gloss.radiance(1.0, 0.04));
+    /// ```
     #[inline]
     pub fn radiance(&self, illuminance: S, f0: S) -> S {
         let reflectance = f0 + (S::ONE - f0) * self.fresnel;

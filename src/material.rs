@@ -31,6 +31,16 @@ impl Material {
     ///
     /// # Errors
     /// [`MaterialError`] for what is out of those ranges, NaN included.
+    ///
+    /// ```
+    /// use sunglint::material::{Material, MaterialError};
+    ///
+    /// let polish = Material::new([0.1, 0.05, 0.02], 5e-4, [0.04; 3]);
+    /// assert!(polish.is_ok());
+    /// let bright = Material::new([0.1, 0.05, 1.5], 5e-4, [0.04; 3]);
+    /// assert_eq!(bright, Err(MaterialError::Albedo(1.5)));
+    /// assert_eq!(bright.unwrap_err().to_string(), "albedo is 1.5, allowed is 0 to 1");
+    /// ```
     pub const fn new(albedo: [f64; 3], alpha: f64, f0: [f64; 3]) -> Result<Self, MaterialError<f64>> {
         let mut channel = 0;
         while channel < 3 {
@@ -63,6 +73,19 @@ pub struct Surface<T: Real> {
 
 impl<T: Real> Surface<T> {
     /// `material` in the format `T`; no f64 arithmetic.
+    ///
+    /// ```
+    /// use sunglint::fixed::types::I2F14;
+    /// use sunglint::material::{Material, Surface};
+    /// use sunglint::real::Scaled;
+    ///
+    /// const CHALK: Material = match Material::new([0.8; 3], 0.75, [0.04; 3]) {
+    ///     Ok(chalk) => chalk,
+    ///     Err(_) => panic!("reflectances and alpha are from 0 to 1"), // while compiling
+    /// };
+    /// // Beside lanes of 16 bits these numbers have 31 and an exponent.
+    /// assert_eq!(Surface::<I2F14>::of(&CHALK).alpha(), Scaled::from_bits(3, -2));
+    /// ```
     #[inline]
     pub fn of(material: &Material) -> Self {
         let scalars = |[red, green, blue]: [Constant; 3]| [red, green, blue].map(T::Scalar::constant);
@@ -73,6 +96,18 @@ impl<T: Real> Surface<T> {
     ///
     /// # Errors
     /// [`MaterialError`] for what is out of range.
+    ///
+    /// ```
+    /// use sunglint::half::f16;
+    /// use sunglint::material::{MaterialError, Surface};
+    ///
+    /// let [black, grey, glass] = [0.0, 0.5, 0.04].map(f16::from_f32);
+    /// // Drying: from a polish to chalk.
+    /// let surface = |alpha: f32| Surface::<f16>::new([grey; 3], f16::from_f32(alpha), [glass; 3]);
+    /// assert!([0.0, 5e-4, 0.1, 1.0].into_iter().all(|alpha| surface(alpha).is_ok()));
+    /// let tiny = f16::from_f32(1e-4);
+    /// assert_eq!(Surface::<f16>::new([black; 3], tiny, [glass; 3]), Err(MaterialError::Alpha(tiny)));
+    /// ```
     #[inline]
     pub fn new(albedo: [T::Scalar; 3], alpha: T::Scalar, f0: [T::Scalar; 3]) -> Result<Self, MaterialError<T::Scalar>> {
         const LEAST: Constant = Constant::new(LEAST_ALPHA);
@@ -89,6 +124,16 @@ impl<T: Real> Surface<T> {
     }
 
     /// The GGX width.
+    ///
+    /// ```
+    /// use sunglint::material::{Material, Surface};
+    /// use sunglint::micromath::F32;
+    ///
+    /// // Roughness of artists' tools, squared.
+    /// let satin = Surface::<F32>::of(&Material::new([0.5; 3], 0.3 * 0.3, [0.04; 3])?);
+    /// assert_eq!(satin.alpha(), F32(0.09));
+    /// # Ok::<(), sunglint::material::MaterialError>(())
+    /// ```
     pub fn alpha(&self) -> T::Scalar {
         self.alpha
     }

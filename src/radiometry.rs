@@ -50,6 +50,17 @@ const FOUR_PI: Constant = Constant::new(4.0 * core::f64::consts::PI);
 /// # Errors
 /// [`RadiometryError::Power`], [`RadiometryError::Area`] and [`RadiometryError::SolidAngle`] for what is out of range,
 /// [`RadiometryError::Overflow`] where the answer is.
+///
+/// ```
+/// use sunglint::radiometry::{RadiometryError, area_radiance};
+///
+/// // A projector: 20 W through 5 cm^2 into a tenth of a steradian.
+/// let radiance = area_radiance(20.0_f32, 5e-4, 0.1)?;
+/// assert!((radiance / 4e5 - 1.0).abs() < 1e-6);
+/// assert_eq!(area_radiance(20.0_f32, 0.0, 0.1), Err(RadiometryError::Area(0.0)));
+/// assert_eq!(area_radiance(1e30_f32, 1e-5, 1e-5), Err(RadiometryError::Overflow));
+/// # Ok::<(), RadiometryError<f32>>(())
+/// ```
 #[inline]
 pub fn area_radiance<S: Scalar>(power: S, area: S, solid_angle: S) -> Result<S, RadiometryError<S>> {
     let power = not_negative(power).map_err(RadiometryError::Power)?;
@@ -66,6 +77,15 @@ pub fn area_radiance<S: Scalar>(power: S, area: S, solid_angle: S) -> Result<S, 
 ///
 /// # Errors
 /// Those of [`area_radiance`].
+///
+/// ```
+/// use sunglint::radiometry::{lambertian_radiance, non_directional_radiance};
+///
+/// // A quarter of what a surface has to have that gives off as much.
+/// let [even, seen] = [non_directional_radiance(40.0_f64, 0.5)?, lambertian_radiance(40.0, 0.5)?];
+/// assert!((even - 6.3662).abs() < 1e-4 && (seen / even - 4.0).abs() < 1e-15);
+/// # Ok::<(), sunglint::radiometry::RadiometryError<f64>>(())
+/// ```
 #[inline]
 pub fn non_directional_radiance<S: Scalar>(power: S, area: S) -> Result<S, RadiometryError<S>> {
     area_radiance(power, area, S::constant(FOUR_PI))
@@ -76,6 +96,17 @@ pub fn non_directional_radiance<S: Scalar>(power: S, area: S) -> Result<S, Radio
 ///
 /// # Errors
 /// Those of [`area_radiance`].
+///
+/// ```
+/// use sunglint::half::f16;
+/// use sunglint::radiometry::{RadiometryError, lambertian_radiance};
+///
+/// // A panel of 60 cm squared that gives off 36 W of light: 100 W/m^2, over pi.
+/// let [power, area] = [36.0, 0.36].map(f16::from_f32);
+/// assert!((lambertian_radiance(power, area)?.to_f32() / 31.831 - 1.0).abs() < 2e-3);
+/// assert_eq!(lambertian_radiance(-power, area), Err(RadiometryError::Power(-power)));
+/// # Ok::<(), RadiometryError<f16>>(())
+/// ```
 #[inline]
 pub fn lambertian_radiance<S: Scalar>(power: S, area: S) -> Result<S, RadiometryError<S>> {
     area_radiance(power, area, S::constant(PI))
@@ -89,6 +120,15 @@ pub fn lambertian_radiance<S: Scalar>(power: S, area: S) -> Result<S, Radiometry
 /// # Errors
 /// [`RadiometryError::Power`] and [`RadiometryError::Length`] for what is out of range, [`RadiometryError::Overflow`]
 /// where the answer is.
+///
+/// ```
+/// use sunglint::radiometry::{RadiometryError, sphere_radiance};
+///
+/// // The Sun: 3.828e26 W and 695 700 km are 20 MW/(m^2 sr).
+/// assert!((sphere_radiance(3.828e26_f64, 6.957e8)? / 2.0034e7 - 1.0).abs() < 1e-4);
+/// assert_eq!(sphere_radiance(60.0, -0.03), Err(RadiometryError::Length(-0.03)));
+/// # Ok::<(), RadiometryError<f64>>(())
+/// ```
 #[inline]
 pub fn sphere_radiance<S: Scalar>(power: S, radius: S) -> Result<S, RadiometryError<S>> {
     const FOUR_PI_SQUARED: Constant = Constant::new(39.478_417_604_357_43);
@@ -101,6 +141,18 @@ pub fn sphere_radiance<S: Scalar>(power: S, radius: S) -> Result<S, RadiometryEr
 ///
 /// # Errors
 /// [`RadiometryError::Power`] where that is negative, NaN or infinite.
+///
+/// ```
+/// use sunglint::radiometry::{RadiometryError, point_intensity};
+/// use sunglint::real::{Scalar, Scaled};
+///
+/// // 10 W in integers alone.
+/// let intensity = point_intensity(Scaled::from_bits(10, 0))?;
+/// assert!((intensity.exact() - 0.795_774_715).abs() < 1e-9);
+/// let negative = Scaled::from_bits(-10, 0);
+/// assert_eq!(point_intensity(negative), Err(RadiometryError::Power(negative)));
+/// # Ok::<(), RadiometryError<Scaled>>(())
+/// ```
 #[inline]
 pub fn point_intensity<S: Scalar>(power: S) -> Result<S, RadiometryError<S>> {
     let power = not_negative(power).map_err(RadiometryError::Power)?;
@@ -109,6 +161,15 @@ pub fn point_intensity<S: Scalar>(power: S) -> Result<S, RadiometryError<S>> {
 
 /// Irradiance in W/m^2 by a point of `intensity` W/sr at `distance` metres, whose direction makes an angle of cosine
 /// `cos` with the surface's normal: `I cos / r^2`.
+///
+/// ```
+/// use sunglint::radiometry::irradiance;
+///
+/// // 8 W/sr two metres above a table; as much from 60 degrees off; and from under it.
+/// assert_eq!([1.0, 0.5, -1.0].map(|cos| irradiance(8.0_f32, cos, 2.0)), [2.0, 1.0, 0.0]);
+/// // In the lamp itself it is 0, not infinite.
+/// assert_eq!(irradiance(8.0_f32, 1.0, 0.0), 0.0);
+/// ```
 #[inline]
 pub fn irradiance<S: Scalar>(intensity: S, cos: S, distance: S) -> S {
     foreshortened(intensity, cos, distance)
@@ -116,18 +177,45 @@ pub fn irradiance<S: Scalar>(intensity: S, cos: S, distance: S) -> S {
 
 /// Solid angle in steradians of a patch of `area` square metres, small against its `distance` in metres, whose normal
 /// makes an angle of cosine `cos` with the line of sight: `A cos / r^2`.
+///
+/// ```
+/// use sunglint::half::f16;
+/// use sunglint::radiometry::patch_solid_angle;
+///
+/// // A window of half a square metre four metres away, facing, and turned by 60 degrees.
+/// let solid_angle = |cos: f32| {
+///     let [area, cos, distance] = [0.5, cos, 4.0].map(f16::from_f32);
+///     patch_solid_angle(area, cos, distance).to_f32()
+/// };
+/// assert_eq!([1.0, 0.5].map(solid_angle), [1.0 / 32.0, 1.0 / 64.0]);
+/// ```
 #[inline]
 pub fn patch_solid_angle<S: Scalar>(area: S, cos: S, distance: S) -> S {
     foreshortened(area, cos, distance)
 }
 
 /// Area in square metres that `area` takes across a beam, its normal at an angle of cosine `cos` to it: `A cos`.
+///
+/// ```
+/// use sunglint::radiometry::projected_area;
+///
+/// // A sheet of half a square metre at 60 degrees to the beam; seen from behind it takes none of it.
+/// assert_eq!([0.5, -0.5].map(|cos| projected_area(0.5_f64, cos)), [0.25, 0.0]);
+/// ```
 #[inline]
 pub fn projected_area<S: Scalar>(area: S, cos: S) -> S {
     saturated(area * saturated(cos))
 }
 
 /// Power in watts of a beam of `irradiance` W/m^2 and `area` square metres across: `E A`.
+///
+/// ```
+/// use sunglint::micromath::F32;
+/// use sunglint::radiometry::beam_power;
+///
+/// // Sunlight on a solar panel of 2 m^2 across the beam.
+/// assert_eq!(beam_power(F32(1000.0), F32(2.0)), F32(2000.0));
+/// ```
 #[inline]
 pub fn beam_power<S: Scalar>(irradiance: S, area: S) -> S {
     saturated(irradiance * area)
@@ -135,6 +223,14 @@ pub fn beam_power<S: Scalar>(irradiance: S, area: S) -> S {
 
 /// Power in W/m^2 that leaves a surface of `albedo` under `irradiance`: `rho E`, into its whole half of the sky. What
 /// a pixel shows of a matt surface is [`diffuse_radiance`].
+///
+/// ```
+/// use sunglint::radiometry::radiosity;
+///
+/// // Snow at noon sends most of what arrives back up; an albedo that is negative counts as none.
+/// assert_eq!(radiosity(0.75_f32, 1000.0), 750.0);
+/// assert_eq!(radiosity(-0.75_f32, 1000.0), 0.0);
+/// ```
 #[inline]
 pub fn radiosity<S: Scalar>(albedo: S, irradiance: S) -> S {
     saturated(albedo * irradiance)
@@ -144,6 +240,14 @@ pub fn radiosity<S: Scalar>(albedo: S, irradiance: S) -> S {
 ///
 /// The classic slip is to leave out the `pi`: under a white sky of radiance 1, whose irradiance is `pi`, a white
 /// surface has to have radiance 1.
+///
+/// ```
+/// use sunglint::half::f16;
+/// use sunglint::radiometry::diffuse_radiance;
+///
+/// // A white surface under a white sky of radiance 1.
+/// assert_eq!(diffuse_radiance(f16::ONE, f16::PI), f16::ONE);
+/// ```
 #[inline]
 pub fn diffuse_radiance<S: Scalar>(albedo: S, irradiance: S) -> S {
     saturated(quotient([albedo, irradiance], [S::constant(PI)]))
@@ -163,6 +267,17 @@ pub struct Patch<S> {
 ///
 /// The same is the receiver's projected area times the sender's solid angle: radiance does not change along a ray. So
 /// the two patches may change places.
+///
+/// ```
+/// use sunglint::radiometry::{Patch, flux};
+///
+/// // A lamp of 100 W/(m^2 sr) and a sensor of 1 cm^2 half a metre before it, which is turned by 60 degrees.
+/// let lamp = Patch { area: 0.01_f64, cos: 1.0 };
+/// let sensor = Patch { area: 1e-4, cos: 0.5 };
+/// let power = flux(100.0, lamp, sensor, 0.5);
+/// assert!((power - 2e-4).abs() < 1e-12);
+/// assert!((flux(100.0, sensor, lamp, 0.5) / power - 1.0).abs() < 1e-14);
+/// ```
 #[inline]
 pub fn flux<S: Scalar>(radiance: S, sender: Patch<S>, receiver: Patch<S>, distance: S) -> S {
     let above = [radiance, sender.area, saturated(sender.cos), receiver.area, saturated(receiver.cos)];

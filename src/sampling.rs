@@ -50,6 +50,19 @@ impl<T: Real> Cone<T> {
     /// The directions of `light` about the unit direction `l` to its centre.
     ///
     /// An `l` that is not finite, or longer than 2, is taken for zero; samples are then meaningless but finite.
+    ///
+    /// ```
+    /// use sunglint::fixed::types::I2F14;
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let lanes = |bits: [i16; 3]| bits.map(I2F14::from_bits);
+    /// let cone = Cone::new(lanes([0, 9830, 13107]), &DistantSphere::<I2F14>::new(&SUN));
+    /// assert!(cone.contains(lanes([0, 9830, 13107])) && !cone.contains(lanes([0, 0, 16384])));
+    /// // Nothing is where a direction is no number.
+    /// let nowhere = Cone::new([f32::NAN, 0.0, 1.0], &DistantSphere::<f32>::new(&SUN));
+    /// assert!(nowhere.direction([0.5, 0.5]).into_iter().all(f32::is_finite));
+    /// ```
     #[inline]
     pub fn new(l: [T; 3], light: &DistantSphere<T>) -> Self {
         let (zero, one) = (T::Scalar::ZERO, T::Scalar::ONE);
@@ -90,16 +103,28 @@ impl<T: Real> Cone<T> {
     /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
     /// |---|---|---|---|---|---|---|---|
     /// | 0.01 rad, as the Sun | 3.2e-16 | 1.1e-7 | 1.5e-7 | 9.5e-4 | 1.7e-4 | 1.9e-9 | 3.1e-5 |
-    /// | the same over the Sun's radius | 6.9e-14 | 2.4e-5 | 3.2e-5 | 0.20 | 0.037 | 4.1e-7 | 6.7e-3 |
+    /// | the same over the Sun's radius | 6.9e-14 | 2.4e-5 | 3.3e-5 | 0.21 | 0.037 | 4.1e-7 | 6.7e-3 |
     /// | 0.5 rad | 6.2e-16 | 2.5e-7 | 4.3e-6 | 2.0e-3 | 1.7e-4 | 2.3e-9 | 3.7e-5 |
     /// | half the sky | 1.6e-15 | 5.6e-7 | 5.3e-6 | 5.3e-3 | 2.7e-4 | 3.9e-9 | 6.5e-5 |
     /// | the full sphere | 1.7e-15 | 6.7e-7 | 2.1e-5 | 5.3e-3 | 2.7e-4 | 4.9e-9 | 6.5e-5 |
+    /// | any, the length's difference from 1 | 8.8e-16 | 4.8e-7 | 1.1e-5 | 3.6e-3 | 1.3e-4 | 3.3e-9 | 3.0e-5 |
     ///
     /// The worst are samples of the rim that have been moved inwards; the root mean square at the Sun is a
     /// quarter to an eighth of that (f32 1.5e-8, I2F14 2.6e-5).
     ///
     /// Source: own derivation, in place of the published `acos(1 - z + z sqrt(1 - x^2))`, which has 183 angles for the
     /// Sun in f32, some of them outside.
+    ///
+    /// ```
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let cone = Cone::new([0.0, 0.0, 1.0], &DistantSphere::<f64>::new(&SUN));
+    /// assert_eq!(cone.direction([0.0, 0.7]), [0.0, 0.0, 1.0]);
+    /// // A quarter of the solid angle is within half of the radius; a quarter turn from x is y.
+    /// let [x, y, _] = cone.direction([0.25, 0.25]);
+    /// assert!(x.abs() < 1e-15 && (y / SUN.sin() - 0.5).abs() < 1e-5);
+    /// ```
     #[inline]
     pub fn direction(&self, point: [T; 2]) -> [T; 3] {
         let [z, turn] = point;
@@ -124,9 +149,21 @@ impl<T: Real> Cone<T> {
     /// | the full sphere | 1.0e-15 | 3.5e-7 | 3.5e-7 | 2.6e-3 | 8.9e-5 | 1.6e-9 | 2.6e-5 |
     ///
     /// A disc below 0.001 rad, or so near to the full sphere, is finer than the lights of the narrow formats: there up
-    /// to 4.8e-4 in f16, 6.8e-5 in I2F14 and 1.7e-5 in I16F16.
+    /// to 4.8e-4 in f16, 6.8e-5 in I2F14 and 1.7e-5 in I16F16. In f32 and micromath a disc below 0.001 rad has up to
+    /// 3.1e-9.
     ///
     /// False for NaN and infinities.
+    ///
+    /// ```
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// // The Sun's rim is 0.004 650 467 rad from its centre.
+    /// let cone = Cone::new([0.0, 0.0, 1.0], &DistantSphere::<f32>::new(&SUN));
+    /// let beside = |x: f32| [x, 0.0, (1.0 - x * x).sqrt()];
+    /// assert!(cone.contains(beside(0.004_650)) && !cone.contains(beside(0.004_651)));
+    /// assert!(!cone.contains([f32::NAN, 0.0, 1.0]));
+    /// ```
     #[inline]
     pub fn contains(&self, direction: [T; 3]) -> bool {
         let square = self.chord_square_to(direction);
@@ -138,6 +175,17 @@ impl<T: Real> Cone<T> {
     /// Relative error of it, as `tests/figures.rs` asserts for angular radii from 1e-5 (I2F14 and I16F16 0.001, f16
     /// 0.0045) up to the full sphere: f64 1.2e-15, f32 and micromath 3.6e-7, f16 2.8e-3, I2F14 4.2e-6, I2F30 2.6e-9,
     /// I16F16 2.7e-7.
+    ///
+    /// ```
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantLight, DistantSphere, SUN};
+    ///
+    /// let solid_angle = |light| Cone::new([0.0, 0.0, 1.0], &DistantSphere::<f32>::of(light)).solid_angle();
+    /// assert!((solid_angle(&SUN) / 6.794_3e-5 - 1.0).abs() < 1e-5);
+    /// // All directions.
+    /// assert!((solid_angle(&DistantLight::from_angle(360.0)?) / 12.566_371 - 1.0).abs() < 3.6e-7);
+    /// # Ok::<(), sunglint::LightError>(())
+    /// ```
     #[inline]
     pub fn solid_angle(&self) -> T::Scalar {
         self.solid_angle / scale::<T>()
@@ -149,6 +197,19 @@ impl<T: Real> Cone<T> {
     /// # Errors
     /// [`LightError::Overflow`] where that is infinite, in f16 below `x = 0.0022`.
     /// [`soft_shadow`](crate::shadow::soft_shadow) needs no density.
+    ///
+    /// ```
+    /// use sunglint::half::f16;
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantLight, DistantSphere, LightError, SUN};
+    ///
+    /// let up = [f16::ZERO, f16::ZERO, f16::ONE];
+    /// let pdf = |light| Cone::new(up, &DistantSphere::<f16>::of(light)).pdf();
+    /// assert!((pdf(&SUN)?.to_f32() / 14_718.0 - 1.0).abs() < 3e-3);
+    /// // A fifth as wide it is 25 times that, which f16 does not hold.
+    /// assert_eq!(pdf(&DistantLight::from_ratio(SUN.sin() / 5.0)?), Err(LightError::Overflow("f16")));
+    /// # Ok::<(), LightError>(())
+    /// ```
     #[inline]
     pub fn pdf(&self) -> Result<T::Scalar, LightError> {
         if self.narrow && self.reach <= T::Scalar::ZERO {
@@ -160,6 +221,16 @@ impl<T: Real> Cone<T> {
 
     /// What UsdLux `sizeFactor` is of the solid angle: `(1 + cos) / 2`, the mean over the disc of the cosine at a
     /// surface that faces it; beyond half the sky `(2 - sin^2) / (2 w)`, counting both sides of the surface.
+    ///
+    /// ```
+    /// use sunglint::sampling::Cone;
+    /// use sunglint::{DistantLight, DistantSphere};
+    ///
+    /// // Under half the sky the mean cosine is 1/2: illuminance pi over a solid angle of 2 pi.
+    /// let sky = DistantSphere::<f64>::of(&DistantLight::from_ratio(1.0)?);
+    /// assert_eq!(Cone::new([0.0, 0.0, 1.0], &sky).mean_cosine(), 0.5);
+    /// # Ok::<(), sunglint::LightError>(())
+    /// ```
     #[inline]
     pub fn mean_cosine(&self) -> T::Scalar {
         self.mean_cosine

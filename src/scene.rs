@@ -44,6 +44,17 @@ impl<T: Real> Lamp<T> {
     /// # Errors
     /// [`SceneError::Direction`] where the length is not within a tenth of 1, [`SceneError::Illuminance`] for negative,
     /// infinite and NaN levels.
+    ///
+    /// ```
+    /// use sunglint::scene::{Lamp, SceneError};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let sun = DistantSphere::<f32>::new(&SUN);
+    /// // Lux: radiances are then candela per square metre. Or pi, in which a white surface is exactly 1.
+    /// assert!(Lamp::new([0.0, 0.6, 0.8], sun, [100_000.0; 3]).is_ok());
+    /// assert_eq!(Lamp::new([0.0, 0.0, 2.0], sun, [1.0; 3]), Err(SceneError::Direction(4.0)));
+    /// assert_eq!(Lamp::new([0.0, 0.6, 0.8], sun, [-1.0; 3]), Err(SceneError::Illuminance(-1.0)));
+    /// ```
     pub fn new(
         direction: [T; 3],
         sphere: DistantSphere<T>,
@@ -97,6 +108,18 @@ pub enum Channel {
 
 impl<T: Real, const LIGHTS: usize> Scene<T, LIGHTS> {
     /// A surface in the dark.
+    ///
+    /// ```
+    /// use sunglint::half::f16;
+    /// use sunglint::material::{Material, Surface};
+    /// use sunglint::scene::Scene;
+    ///
+    /// let sea = Material::new([0.01, 0.03, 0.05], 0.02, [0.02; 3])?;
+    /// let night = Scene::<f16, 2>::new(&Surface::of(&sea));
+    /// let up = [f16::ZERO, f16::ZERO, f16::ONE];
+    /// assert_eq!(night.shade(up, up), [f16::ZERO; 3]);
+    /// # Ok::<(), sunglint::material::MaterialError>(())
+    /// ```
     pub fn new(surface: &Surface<T>) -> Self {
         Self::with_highlight(surface, ConeGgx::new)
     }
@@ -105,6 +128,21 @@ impl<T: Real, const LIGHTS: usize> Scene<T, LIGHTS> {
 impl<T: Real, const LIGHTS: usize, H: Highlight<T>> Scene<T, LIGHTS, H> {
     /// A surface in the dark whose highlights are made by `method`, such as
     /// [`PointGgx::karis`](crate::highlight::PointGgx::karis).
+    ///
+    /// ```
+    /// use sunglint::highlight::PointGgx;
+    /// use sunglint::material::{Material, Surface};
+    /// use sunglint::scene::{Channel, Lamp, Scene};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let black = Material::new([0.0; 3], 0.001, [0.04; 3])?;
+    /// let mut scene = Scene::<f32, 1, _>::with_highlight(&Surface::of(&black), PointGgx::karis);
+    /// let up = [0.0, 0.0, 1.0];
+    /// scene.push(&Lamp::new(up, DistantSphere::<f32>::new(&SUN), [1.0; 3])?)?;
+    /// // f0 / (4 pi (alpha + x/2)^2)
+    /// assert!((scene.shade_channel(up, up, Channel::Red) / 287.8 - 1.0).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn with_highlight(surface: &Surface<T>, method: fn(&DistantSphere<T>, T::Scalar) -> H) -> Self {
         Self { surface: *surface, method, lights: heapless::Vec::new() }
     }
@@ -113,12 +151,39 @@ impl<T: Real, const LIGHTS: usize, H: Highlight<T>> Scene<T, LIGHTS, H> {
     ///
     /// # Errors
     /// [`SceneError::Full`] where there are `LIGHTS` of them; the scene is as before.
+    ///
+    /// ```
+    /// use sunglint::material::{Material, Surface};
+    /// use sunglint::scene::{Lamp, Scene, SceneError};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let mut scene = Scene::<f64, 1>::new(&Surface::of(&Material::new([0.5; 3], 0.1, [0.04; 3])?));
+    /// let noon = Lamp::new([0.0, 0.6, 0.8], DistantSphere::<f64>::new(&SUN), [100_000.0; 3])?;
+    /// assert_eq!(scene.push(&noon), Ok(()));
+    /// assert_eq!(scene.push(&noon), Err(SceneError::Full { capacity: 1 }));
+    /// assert_eq!(scene.lights(), 1);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn push(&mut self, lamp: &Lamp<T>) -> Result<(), SceneError<T::Scalar>> {
         let highlight = (self.method)(&lamp.sphere, self.surface.alpha);
         self.lights.push(Lit { lamp: *lamp, highlight }).map_err(|_| SceneError::Full { capacity: LIGHTS })
     }
 
     /// How many lights there are.
+    ///
+    /// ```
+    /// use sunglint::material::{Material, Surface};
+    /// use sunglint::scene::{Lamp, Scene};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let mut scene = Scene::<f32, 4>::new(&Surface::of(&Material::new([0.5; 3], 0.1, [0.04; 3])?));
+    /// let sun = DistantSphere::<f32>::new(&SUN);
+    /// for direction in [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, -0.6, 0.8]] {
+    ///     scene.push(&Lamp::new(direction, sun, [1.0; 3])?)?;
+    /// }
+    /// assert_eq!(scene.lights(), 3);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn lights(&self) -> usize {
         self.lights.len()
     }
@@ -129,6 +194,23 @@ impl<T: Real, const LIGHTS: usize, H: Highlight<T>> Scene<T, LIGHTS, H> {
     /// ([`relative_illuminance`]), and the highlight while its centre is. Black without lights, where `n` faces
     /// away from all of them or from the viewer, and for NaN. Levels saturate; those of f64 and f32 (micromath too) may
     /// do so from a sixteenth of the greatest number on.
+    ///
+    /// ```
+    /// use sunglint::fixed::types::{I2F14, U16F16};
+    /// use sunglint::material::{Material, Surface};
+    /// use sunglint::scene::{Lamp, Scene};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let mut scene = Scene::<I2F14, 1>::new(&Surface::of(&Material::new([0.75, 0.5, 0.25], 0.5, [0.0; 3])?));
+    /// let [up, east] = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]].map(|lanes: [f64; 3]| lanes.map(I2F14::from_num));
+    /// scene.push(&Lamp::new(up, DistantSphere::<I2F14>::new(&SUN), [U16F16::PI; 3])?)?;
+    /// // Facing a light of illuminance pi a matt surface shows its albedo, to a step of 2^-16; from its edge it is not seen.
+    /// let close = |level: U16F16, albedo: f64| (level.to_num::<f64>() - albedo).abs() < 2e-5;
+    /// let [red, green, blue] = scene.shade(up, up);
+    /// assert!(close(red, 0.75) && close(green, 0.5) && close(blue, 0.25));
+    /// assert_eq!(scene.shade(up, east), [U16F16::ZERO; 3]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[inline]
     pub fn shade(&self, n: [T; 3], v: [T; 3]) -> [T::Level; 3] {
         let mut sum = [T::Scalar::ZERO; 3];
@@ -146,6 +228,20 @@ impl<T: Real, const LIGHTS: usize, H: Highlight<T>> Scene<T, LIGHTS, H> {
     }
 
     /// The same in one channel, for what has but one.
+    ///
+    /// ```
+    /// use sunglint::fixed::types::{I2F30, U32F32};
+    /// use sunglint::material::{Material, Surface};
+    /// use sunglint::scene::{Channel, Lamp, Scene};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// // A grey display.
+    /// let mut scene = Scene::<I2F30, 1>::new(&Surface::of(&Material::new([0.2; 3], 0.3, [0.04; 3])?));
+    /// let up = [I2F30::ZERO, I2F30::ZERO, I2F30::ONE];
+    /// scene.push(&Lamp::new(up, DistantSphere::<I2F30>::new(&SUN), [U32F32::PI; 3])?)?;
+    /// assert_eq!(scene.shade_channel(up, up, Channel::Green), scene.shade(up, up)[1]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[inline]
     pub fn shade_channel(&self, n: [T; 3], v: [T; 3], channel: Channel) -> T::Level {
         let mut sum = T::Scalar::ZERO;

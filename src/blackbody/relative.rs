@@ -37,6 +37,16 @@ const FREQUENCY: Law = Law {
 ///
 /// In f16 answers below 6.1e-5, which are those for ratios below 0.224 and above 25.5, are subnormal, or
 /// zero where hardware flushes those; the errors above hold there too (`tests/flush.rs`).
+///
+/// ```
+/// use sunglint::blackbody::relative_to_peak;
+/// use sunglint::half::f16;
+///
+/// let level = |ratio: f32| relative_to_peak(f16::from_f32(ratio)).to_f32();
+/// // At the peak, at half of its wavelength, at twice, and what is no wavelength.
+/// assert!((level(1.0) - 1.0).abs() < 2e-3 && (level(0.5) - 0.222).abs() < 2e-3 && (level(2.0) - 0.4046).abs() < 2e-3);
+/// assert_eq!(level(-1.0), 0.0);
+/// ```
 #[inline]
 pub fn relative_to_peak<S: Scalar>(ratio: S) -> S {
     // A negative quotient, and NaN, give zero as well.
@@ -55,6 +65,16 @@ pub fn relative_to_peak<S: Scalar>(ratio: S) -> S {
 /// | absolute | 8.8e-16 | 3.3e-7 | 3.3e-7 | 2.1e-3 | 2.5e-9 |
 ///
 /// In f16 answers below 6.1e-5, which are those for ratios below 3.3e-3 and above 6.4, are subnormal or zero.
+///
+/// ```
+/// use sunglint::blackbody::relative_to_peak_frequency;
+///
+/// assert!((relative_to_peak_frequency(1.0_f32) - 1.0).abs() < 3.3e-7);
+/// // Low frequencies rise by the square: of a hundredth and two hundredths nearly to 4 times.
+/// let [low, twice] = [0.01_f32, 0.02].map(relative_to_peak_frequency);
+/// assert!((twice / low - 4.0).abs() < 0.06);
+/// assert_eq!(relative_to_peak_frequency(0.0_f32), 0.0);
+/// ```
 #[inline]
 pub fn relative_to_peak_frequency<S: Scalar>(ratio: S) -> S {
     law(ratio, &FREQUENCY)

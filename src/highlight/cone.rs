@@ -243,7 +243,20 @@ impl<'a, S: Scalar> Cone<'a, S> {
 }
 
 impl<T: Real> ConeGgx<T> {
-    /// A roughness from 0 to 1 under a light.
+    /// A roughness `alpha` from 0 to 1 under a light. Once per light and material; in fixed point integers alone.
+    ///
+    /// ```
+    /// use sunglint::fixed::types::I2F14;
+    /// use sunglint::highlight::{ConeGgx, Highlight};
+    /// use sunglint::real::{Scalar, Scaled};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// // A mirror shows the Sun as bright as it is: its illuminance over pi x^2, 14 719 of it per steradian.
+    /// let mirror = ConeGgx::new(&DistantSphere::<I2F14>::new(&SUN), Scaled::ZERO);
+    /// let up = [I2F14::ZERO, I2F14::ZERO, I2F14::ONE];
+    /// let sun = mirror.shade(up, up, up).radiance(Scaled::ONE, Scaled::ONE).exact();
+    /// assert!((sun / 14_719.0 - 1.0).abs() < 1e-3);
+    /// ```
     pub fn new(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         Self { lobe: Lobe::of(Width::of(sphere, alpha)) }
     }
@@ -274,7 +287,19 @@ impl<T: Real> Highlight<T> for ConeGgx<T> {
 }
 
 impl<T: Real> ShiftedConeGgx<T> {
-    /// A roughness from 0 to 1 under a light.
+    /// A roughness `alpha` from 0 to 1 under a light. Once per light and material.
+    ///
+    /// ```
+    /// use sunglint::highlight::{ConeGgx, Gloss, Highlight, ShiftedConeGgx};
+    /// use sunglint::{DistantLight, DistantSphere};
+    ///
+    /// // The centre of a great lamp has just set; a polish still mirrors what of it is up.
+    /// let lamp = DistantSphere::<f32>::of(&DistantLight::from_ratio(0.3)?);
+    /// let (n, v, l) = ([0.0, 0.0, 1.0], [-0.98, 0.0, 0.199], [0.9998, 0.0, -0.02]);
+    /// assert_eq!(ConeGgx::new(&lamp, 0.05).shade(n, v, l), Gloss::DARK);
+    /// assert!(ShiftedConeGgx::new(&lamp, 0.05).shade(n, v, l).level > 0.0);
+    /// # Ok::<(), sunglint::LightError>(())
+    /// ```
     pub fn new(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         let cone = ConeGgx::new(sphere, alpha);
         let Width { disc, alpha_square: rough, .. } = cone.lobe.width;

@@ -74,12 +74,35 @@ impl<S: Scalar> Width<S> {
 
 impl<T: Real> DiscGgx<T> {
     /// The disc's image in the half vectors taken to be a circle: one root.
+    ///
+    /// ```
+    /// use sunglint::highlight::{ConeGgx, DiscGgx, Highlight};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let (sun, up) = (DistantSphere::<f64>::new(&SUN), [0.0, 0.0, 1.0]);
+    /// let [disc, cone] = [DiscGgx::new(&sun, 0.01).shade(up, up, up), ConeGgx::new(&sun, 0.01).shade(up, up, up)]
+    ///     .map(|gloss| gloss.radiance(1.0, 0.04));
+    /// // Seen from above the image is a circle, and the closed form exact.
+    /// assert!((disc / cone - 1.0).abs() < 1e-4);
+    /// ```
     pub fn new(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         Self::of_width(Width::of(sphere, alpha), false)
     }
 
     /// With `T` in `p` alone widened along the ellipse's long axis: `T_p = (w/2) (m + alpha^2 z^2) / (m_d + m_o (v.h)^2
     /// + alpha^2 z^2 (v.h))`, `m_d` being the part of `m` in the plane of `l` and `v`, and `m_o` the rest.
+    ///
+    /// ```
+    /// use sunglint::highlight::{ConeGgx, DiscGgx, Highlight};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// // 60 degrees off the normal, a mirror ray a quarter of a degree beside the Sun's centre.
+    /// let (n, l, v) = ([0.0, 0.0, 1.0], [0.866_025_4, 0.0, 0.5], [-0.868_199, 0.0, 0.496_217]);
+    /// let sun = DistantSphere::<f32>::new(&SUN);
+    /// let exact = ConeGgx::new(&sun, 0.001).shade(n, v, l).radiance(1.0, 0.04);
+    /// let off = |disc: DiscGgx<f32>| (disc.shade(n, v, l).radiance(1.0, 0.04) / exact - 1.0).abs();
+    /// assert!(off(DiscGgx::directional(&sun, 0.001)) < off(DiscGgx::new(&sun, 0.001)));
+    /// ```
     pub fn directional(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         Self::of_width(Width::of(sphere, alpha), true)
     }

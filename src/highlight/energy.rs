@@ -14,6 +14,17 @@ use crate::real::{Float, Real};
 ///
 /// # Errors
 /// [`LightError::Alpha`] and [`LightError::Ratio`] where an argument is NaN or out of 0 to 1.
+///
+/// ```
+/// use sunglint::LightError;
+/// use sunglint::highlight::karis;
+///
+/// // The Sun widens the highlight of a varnish of alpha 0.01 by a quarter, so that a third of its peak has to go.
+/// assert!((karis(0.01_f32, 0.00465)? - 0.6583).abs() < 1e-4);
+/// assert_eq!(karis(0.5_f32, 0.0)?, 1.0);
+/// assert_eq!(karis(0.5_f32, 1.5), Err(LightError::Ratio(1.5)));
+/// # Ok::<(), LightError>(())
+/// ```
 pub fn karis<T: Float>(alpha: T, ratio: T) -> Result<T, LightError> {
     let alpha = checked(alpha)?;
     let allowed = ratio >= T::WIDE_ZERO && ratio <= T::WIDE_ONE;
@@ -39,6 +50,18 @@ pub fn karis<T: Float>(alpha: T, ratio: T) -> Result<T, LightError> {
 /// # Errors
 /// [`LightError::Alpha`] where `alpha` is NaN or out of 0 to 1; [`LightError::SphereAngularRadius`] where `theta` is
 /// NaN or out of 0 to pi/2.
+///
+/// ```
+/// use sunglint::LightError;
+/// use sunglint::half::f16;
+/// use sunglint::highlight::exact_rp;
+///
+/// // t = 1: 1 / (2 + pi/2).
+/// let [alpha, theta] = [0.125, 0.25].map(f16::from_f32);
+/// assert!((exact_rp(alpha, theta)?.to_f32() - 0.280_05).abs() < 5e-4);
+/// assert_eq!(exact_rp(alpha, f16::NEG_ONE), Err(LightError::SphereAngularRadius(-1.0)));
+/// # Ok::<(), LightError>(())
+/// ```
 pub fn exact_rp<T: Float>(alpha: T, theta: T) -> Result<T, LightError> {
     let (zero, one, right) = (T::WIDE_ZERO, T::WIDE_ONE, T::nearest(FRAC_PI_2));
     let alpha = checked(alpha)?;
@@ -80,6 +103,17 @@ mod fixed_point {
     ///
     /// # Errors
     /// [`LightError::AlphaQ30`] and [`LightError::RatioQ30`] where an argument is out of 0 to 1.
+    ///
+    /// ```
+    /// use sunglint::LightError;
+    /// use sunglint::fixed::types::I2F30;
+    /// use sunglint::highlight::karis_q30;
+    ///
+    /// // (alpha / (alpha + x/2))^2 of two numbers that binary has: (1/4 / (1/4 + 1/4))^2.
+    /// let (alpha, ratio) = (I2F30::from_num(0.25), I2F30::from_num(0.5));
+    /// assert_eq!(karis_q30(alpha, ratio), Ok(I2F30::from_num(0.25)));
+    /// assert_eq!(karis_q30(alpha, -ratio), Err(LightError::RatioQ30(-(1 << 29))));
+    /// ```
     pub fn karis_q30(alpha: I2F30, ratio: I2F30) -> Result<I2F30, LightError> {
         let alpha = unit(alpha).map_err(LightError::AlphaQ30)?;
         let ratio = unit(ratio).map_err(LightError::RatioQ30)?;
@@ -93,6 +127,18 @@ mod fixed_point {
     /// # Errors
     /// [`LightError::AlphaQ30`] where `alpha` is out of 0 to 1, [`LightError::AngularRadiusQ30`] where `theta` is
     /// negative or above pi/2.
+    ///
+    /// ```
+    /// use sunglint::LightError;
+    /// use sunglint::fixed::types::I2F30;
+    /// use sunglint::highlight::exact_rp_q30;
+    ///
+    /// let (alpha, theta) = (I2F30::from_num(0.125), I2F30::from_num(0.25));
+    /// let factor: f64 = exact_rp_q30(alpha, theta)?.to_num();
+    /// assert!((factor - 1.0 / (2.0 + core::f64::consts::FRAC_PI_2)).abs() < 1e-9);
+    /// assert_eq!(exact_rp_q30(alpha, I2F30::MAX), Err(LightError::AngularRadiusQ30(i32::MAX)));
+    /// # Ok::<(), LightError>(())
+    /// ```
     pub fn exact_rp_q30(alpha: I2F30, theta: I2F30) -> Result<I2F30, LightError> {
         let alpha = unit(alpha).map_err(LightError::AlphaQ30)?;
         let theta = match u128::try_from(theta.to_bits()) {

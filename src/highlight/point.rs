@@ -35,22 +35,67 @@ const QUARTER_PI: Constant = Constant::new(core::f64::consts::FRAC_PI_4);
 
 impl<T: Real> PointGgx<T> {
     /// No energy factor: too bright by the ratio of the disc's area to the highlight's.
+    ///
+    /// ```
+    /// use sunglint::highlight::{Highlight, PointGgx};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let (sun, up) = (DistantSphere::<f32>::new(&SUN), [0.0, 0.0, 1.0]);
+    /// // Anywhere on the Sun's disc it is the peak of GGX, 1 / (pi alpha^2), over 4: as if all of the Sun were there.
+    /// let [centre, rim] = [up, [0.0046, 0.0, 0.999_989_4]].map(|l| PointGgx::none(&sun, 0.001).shade(up, up, l));
+    /// assert!((centre.radiance(1.0, 1.0) / 79_577.0 - 1.0).abs() < 1e-4);
+    /// assert!((rim.radiance(1.0, 1.0) / 79_577.0 - 1.0).abs() < 1e-4);
+    /// ```
     pub fn none(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         Self::of_width(sphere, alpha, alpha)
     }
 
     /// Karis's factor `(alpha / alpha')^2`, `alpha' = sat(alpha + x/2)` (course notes, 2013).
+    ///
+    /// ```
+    /// use sunglint::highlight::{Highlight, PointGgx, karis};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let (sun, up) = (DistantSphere::<f64>::new(&SUN), [0.0, 0.0, 1.0]);
+    /// let [plain, dimmed] = [PointGgx::none(&sun, 0.01), PointGgx::karis(&sun, 0.01)]
+    ///     .map(|method| method.shade(up, up, up).radiance(1.0, 0.04));
+    /// assert!((dimmed / plain / karis(0.01, SUN.sin())? - 1.0).abs() < 1e-12);
+    /// # Ok::<(), sunglint::LightError>(())
+    /// ```
     pub fn karis(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         Self::widened(sphere, alpha, T::Scalar::constant(HALF))
     }
 
     /// The same with `x/3`, as later engines have it.
+    ///
+    /// ```
+    /// use sunglint::half::f16;
+    /// use sunglint::highlight::{Highlight, PointGgx};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let (sun, alpha) = (DistantSphere::<f16>::new(&SUN), f16::from_f32(0.01));
+    /// let up = [f16::ZERO, f16::ZERO, f16::ONE];
+    /// let [half, third] =
+    ///     [PointGgx::karis(&sun, alpha), PointGgx::karis_third(&sun, alpha)].map(|method| method.shade(up, up, up));
+    /// // A narrower highlight in f16, whose gain is one over its width: 1 / 0.01155 against 1 / 0.01233.
+    /// assert!((third.gain.to_f32() - 86.58).abs() < 0.1 && (half.gain.to_f32() - 81.13).abs() < 0.1);
+    /// ```
     pub fn karis_third(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         Self::widened(sphere, alpha, T::Scalar::constant(THIRD))
     }
 
     /// The factor that makes the energy right at normal incidence for small angles: `1 / (1 + (pi/2) t + t^2)` with
     /// `t = x / (2 alpha)`.
+    ///
+    /// ```
+    /// use sunglint::highlight::{Highlight, PointGgx};
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// let (sun, up) = (DistantSphere::<f64>::new(&SUN), [0.0, 0.0, 1.0]);
+    /// // A mirror shows the Sun as bright as it is, illuminance over pi x^2.
+    /// let mirrored = PointGgx::exact_rp(&sun, 0.0).shade(up, up, up).radiance(1.0, 1.0);
+    /// assert!((mirrored * core::f64::consts::PI * SUN.sin() * SUN.sin() - 1.0).abs() < 1e-12);
+    /// ```
     pub fn exact_rp(sphere: &DistantSphere<T>, alpha: T::Scalar) -> Self {
         let [sin, _] = extent(sphere);
         let half = sin * T::Scalar::constant(HALF);

@@ -24,6 +24,16 @@ use crate::vec3::each;
 /// | worst | 5.0e-16 | 1.3e-7 | 1.3e-7 | 1.2e-3 | 1.5e-4 | 2.3e-9 | 3.7e-5 |
 ///
 /// For an `l` that is zero, not finite or longer than 2 the answer is that of the z axis.
+///
+/// ```
+/// use sunglint::fixed::types::I2F14;
+/// use sunglint::sampling::basis;
+///
+/// assert_eq!(basis([0.0_f32, 0.0, 1.0]), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+/// // In Q14, across (0, 0.6, 0.8): east, and up the slope.
+/// let [t, b] = basis([0, 9830, 13107].map(I2F14::from_bits)).map(|v| v.map(I2F14::to_bits));
+/// assert_eq!([t, b], [[16384, 0, 0], [0, 13107, -9830]]);
+/// ```
 #[inline]
 pub fn basis<T: Real>(l: [T; 3]) -> [[T; 3]; 2] {
     let l = finite(l);

@@ -26,6 +26,15 @@ const COSINE: [Constant; TERMS] = series(2);
 /// Turns below 0, and NaN, are taken for 0 and turns above 1 for 1.
 ///
 /// Source: Taylor's series about 0, after folding the turn into its first eighth, which is exact.
+///
+/// ```
+/// use sunglint::sampling::sin_cos;
+///
+/// // Quarters are exact; a twelfth is 30 degrees.
+/// assert_eq!([0.0_f32, 0.25, 0.5, 0.75].map(sin_cos), [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [-1.0, 0.0]]);
+/// let [sin, cos] = sin_cos(1.0_f32 / 12.0);
+/// assert!((sin - 0.5).abs() < 8.5e-8 && (cos - 0.866_025_4).abs() < 8.5e-8);
+/// ```
 #[inline]
 pub fn sin_cos<S: Scalar>(turn: S) -> [S; 2] {
     const HALF: Constant = Constant::new(0.5);
