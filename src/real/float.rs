@@ -37,6 +37,15 @@ pub trait Float: Scalar {
     const INVERSE_PI: [Self; 2];
 
     /// `length / sqrt(square)` for a positive `square`.
+    ///
+    /// ```
+    /// use sunglint::Float;
+    ///
+    /// assert_eq!(<f64 as Float>::over_root(3.0, 4.0), 1.5);
+    /// // micromath's is a bit trick with two Newton steps.
+    /// let one = sunglint::micromath::F32(1.0);
+    /// assert!((Float::over_root(one, one).0 - 1.0).abs() < 6e-6);
+    /// ```
     fn over_root(length: Self, square: Self) -> Self;
 }
 
