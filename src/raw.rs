@@ -3,8 +3,12 @@
 //! Vectors are `[i16; 3]` in Q14 (16384 is 1) or `[i32; 3]` in Q30 (1073741824 is 1), of length 1 give or take a
 //! rounding; up to 1.16 nothing overflows. Each function is the one of the same name in [`specular`], in integers to
 //! the end, with that function's formula, special cases and error; `tests/raw.rs` holds the two to the same bits. The
-//! scene's need the feature `heapless`. Quantities of light are `u32` in Q16 (65536 is 1) and, where they are at most
-//! 1, `i32` in Q30.
+//! scene's need the feature `heapless`.
+//!
+//! Dot products, and a light's constants, are `i32` in Q28 beside Q14 vectors and `i64` in Q60 beside Q30 vectors: the
+//! plain sum of three products. Light levels of a surface or a scene are `u32` in Q16 (65536 is 1) and `u64` in Q32,
+//! quantities of radiometry and of black bodies `u32` in Q16; shares of a light and of a spectrum's greatest are `i32`
+//! in Q30, but for [`relative_illuminance_q14`] and [`relative_illuminance_q30`], which are in the scale of a dot product.
 
 mod blackbody;
 mod diffuse;
@@ -48,7 +52,7 @@ pub const SUN_Q14: SphereQ14 = SphereQ14::new(&SUN);
 pub const SUN_Q30: SphereQ30 = SphereQ30::new(&SUN);
 
 /// The constants of a sphere whose radius over distance is `ratio` in Q30, for Q14 vectors: for a lamp that moves, in
-/// integers.
+/// integers. Each is within 0.51 units of Q28 (`tests/sphere.rs`).
 ///
 /// ```
 /// use sunglint::LightError;
@@ -66,7 +70,7 @@ pub fn sphere_q14(ratio: i32) -> Result<SphereQ14, LightError> {
 }
 
 /// The constants of a sphere whose radius over distance is `ratio` in Q30, for Q30 vectors: for a lamp that moves, in
-/// integers.
+/// integers. Each is within 0.75 units of Q60 (`tests/sphere.rs`).
 ///
 /// ```
 /// use sunglint::raw::{cap_q30, sphere_q30};
@@ -98,7 +102,7 @@ pub fn cap_q14(l: [i16; 3], r: [i16; 3], light: &SphereQ14) -> [i16; 3] {
     each(specular::cap(q14(l), q14(r), light), I2F14::to_bits)
 }
 
-/// [`factored`](specular::factored) in Q14.
+/// [`factored`](specular::factored) in Q14. Worst error at the Sun 1.4e-4 rad.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q14, cap_q14, factored_q14};
@@ -111,7 +115,7 @@ pub fn factored_q14(l: [i16; 3], r: [i16; 3], light: &SphereQ14) -> [i16; 3] {
     each(specular::factored(q14(l), q14(r), light), I2F14::to_bits)
 }
 
-/// [`disc`](specular::disc) in Q14, for studies.
+/// [`disc`](specular::disc) in Q14, for studies. Worst error at the Sun 1.2e-2 rad, which is 2.6 of its radii.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q14, cap_q14, disc_q14};
@@ -124,7 +128,7 @@ pub fn disc_q14(l: [i16; 3], r: [i16; 3], light: &SphereQ14) -> [i16; 3] {
     each(specular::disc(q14(l), q14(r), light), I2F14::to_bits)
 }
 
-/// [`reflect`](specular::reflect) in Q14.
+/// [`reflect`](specular::reflect) in Q14. Each lane is within half a step.
 ///
 /// ```
 /// use sunglint::raw::reflect_q14;
@@ -136,7 +140,7 @@ pub fn reflect_q14(n: [i16; 3], v: [i16; 3]) -> [i16; 3] {
     each(specular::reflect(q14(n), q14(v)), I2F14::to_bits)
 }
 
-/// [`normalize`](specular::normalize) in Q14.
+/// [`normalize`](specular::normalize) in Q14. Within 6.0e-5 rad, the length within 7.2e-5, for lengths from 0.1 on.
 ///
 /// ```
 /// use sunglint::raw::normalize_q14;
@@ -162,7 +166,7 @@ pub fn cap_q30(l: [i32; 3], r: [i32; 3], light: &SphereQ30) -> [i32; 3] {
     each(specular::cap(q30(l), q30(r), light), I2F30::to_bits)
 }
 
-/// [`factored`](specular::factored) in Q30.
+/// [`factored`](specular::factored) in Q30. Worst error at the Sun 2.3e-9 rad.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q30, factored_q30};
@@ -176,7 +180,7 @@ pub fn factored_q30(l: [i32; 3], r: [i32; 3], light: &SphereQ30) -> [i32; 3] {
     each(specular::factored(q30(l), q30(r), light), I2F30::to_bits)
 }
 
-/// [`disc`](specular::disc) in Q30, for studies.
+/// [`disc`](specular::disc) in Q30, for studies. Worst error at the Sun 3.9e-3 rad, a few steps from `-l`.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q30, cap_q30, disc_q30};
@@ -189,7 +193,7 @@ pub fn disc_q30(l: [i32; 3], r: [i32; 3], light: &SphereQ30) -> [i32; 3] {
     each(specular::disc(q30(l), q30(r), light), I2F30::to_bits)
 }
 
-/// [`reflect`](specular::reflect) in Q30.
+/// [`reflect`](specular::reflect) in Q30. Each lane is within a step.
 ///
 /// ```
 /// use sunglint::raw::reflect_q30;
@@ -203,7 +207,7 @@ pub fn reflect_q30(n: [i32; 3], v: [i32; 3]) -> [i32; 3] {
     each(specular::reflect(q30(n), q30(v)), I2F30::to_bits)
 }
 
-/// [`normalize`](specular::normalize) in Q30.
+/// [`normalize`](specular::normalize) in Q30. Within 9.0e-10 rad, the length within 1.2e-9, for lengths from 0.01 on.
 ///
 /// ```
 /// use sunglint::raw::normalize_q30;

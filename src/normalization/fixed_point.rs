@@ -195,7 +195,7 @@ pub fn sun_radius_at_q16(distance: I16F16) -> Result<I16F16, LightError> {
 }
 
 impl DistantLight {
-    /// [`DistantLight::size_factor`] rounded to U16F48, for all angles, in constants too.
+    /// [`DistantLight::size_factor`] rounded to U16F48, for all angles, in constants too. Within 1 LSB (2^-48).
     ///
     /// ```
     /// use sunglint::SUN;
@@ -208,7 +208,7 @@ impl DistantLight {
         U16F48::from_bits(constant::to_fixed(self.size_factor(), 48) as u64)
     }
 
-    /// [`DistantLight::solid_angle`] rounded to U16F48, for all angles, in constants too.
+    /// [`DistantLight::solid_angle`] rounded to U16F48, for all angles, in constants too. Within 1 LSB (2^-48).
     ///
     /// ```
     /// use sunglint::{DistantLight, SUN};

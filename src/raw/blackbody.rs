@@ -4,7 +4,8 @@ use crate::blackbody;
 use crate::real::Scaled;
 use crate::vec3::each;
 
-/// [`relative_to_peak`](blackbody::relative_to_peak): a ratio of wavelengths in Q16 gives Q30. Within 4 LSB.
+/// [`relative_to_peak`](blackbody::relative_to_peak): a ratio of wavelengths in Q16 gives Q30. Within 4 LSB
+/// (`tests/blackbody.rs`).
 ///
 /// ```
 /// use sunglint::raw::relative_to_peak_q16;
@@ -18,7 +19,7 @@ pub fn relative_to_peak_q16(ratio: u32) -> i32 {
 }
 
 /// [`relative_to_peak_frequency`](blackbody::relative_to_peak_frequency): a ratio of frequencies in Q16 gives Q30.
-/// Within 4 LSB.
+/// Within 4 LSB (`tests/blackbody.rs`).
 ///
 /// ```
 /// use sunglint::raw::relative_to_peak_frequency_q16;
@@ -32,8 +33,8 @@ pub fn relative_to_peak_frequency_q16(ratio: u32) -> i32 {
     q30(blackbody::relative_to_peak_frequency(q16(ratio)))
 }
 
-/// [`tint`](blackbody::tint): kilokelvins and micrometres in Q16 give levels in Q30. Within 12 LSB, and the greatest is
-/// exactly 1.
+/// [`tint`](blackbody::tint): kilokelvins and micrometres in Q16 give levels in Q30. Within 12 LSB
+/// (`tests/blackbody.rs`), and the greatest is exactly 1.
 ///
 /// ```
 /// use sunglint::raw::tint_q16;

@@ -4,7 +4,8 @@ use crate::radiometry::{self, RadiometryError};
 use crate::real::Scaled;
 
 /// [`irradiance`](radiometry::irradiance) by a point: intensity in W/sr in Q16, cosine in Q14, distance in metres in
-/// Q16; answer in W/m^2 in Q16, at most its greatest number. Within half an LSB and 2.1e-9 of the answer.
+/// Q16; answer in W/m^2 in Q16, at most its greatest number; zero for a negative cosine and for no distance. Within half an
+/// LSB and 2.1e-9 of the answer (`tests/radiometry.rs`).
 ///
 /// ```
 /// use sunglint::raw::irradiance_q16;
@@ -30,8 +31,8 @@ pub fn diffuse_radiance_q16(albedo: i16, irradiance: u32) -> u32 {
     bits(radiometry::diffuse_radiance(Scaled::from_bits(albedo.into(), -14), q16(irradiance)))
 }
 
-/// [`area_radiance`](radiometry::area_radiance) of a lamp, `Phi / (A Omega)`: all in Q16. Within half an LSB and
-/// 1.7e-9 of the answer.
+/// [`area_radiance`](radiometry::area_radiance) of a lamp, `Phi / (A Omega)`: watts, square metres, steradians and
+/// W/(m^2 sr), all in Q16. Within half an LSB and 1.7e-9 of the answer.
 ///
 /// ```
 /// use sunglint::radiometry::RadiometryError;

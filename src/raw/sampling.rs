@@ -27,7 +27,8 @@ pub fn cone_q14(l: [i16; 3], light: &SphereQ14) -> ConeQ14 {
     Cone::new(q14(l), light)
 }
 
-/// [`Cone::direction`] in Q14; the point too, from 0 to 16383. Worst error at the Sun 1.2e-4 rad.
+/// [`Cone::direction`] in Q14; the point too, from 0 to 16383. Worst error at discs like the Sun's 1.2e-4 rad
+/// (`tests/figures.rs`).
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q14, cone_direction_q14, cone_q14};
@@ -41,7 +42,7 @@ pub fn cone_direction_q14(cone: &ConeQ14, [z, turn]: [i16; 2]) -> [i16; 3] {
     each(cone.direction([I2F14::from_bits(z), I2F14::from_bits(turn)]), I2F14::to_bits)
 }
 
-/// [`Cone::contains`] in Q14.
+/// [`Cone::contains`] in Q14. At discs like the Sun's the rim is told to within 2.9e-6 rad (`tests/figures.rs`).
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q14, cone_contains_q14, cone_q14};
@@ -54,7 +55,7 @@ pub fn cone_contains_q14(cone: &ConeQ14, direction: [i16; 3]) -> bool {
     cone.contains(q14(direction))
 }
 
-/// The basis of [`sampling::basis`] in Q14.
+/// The basis of [`sampling::basis`] in Q14. Within 1.5e-4 of right angles and of length 1.
 ///
 /// ```
 /// use sunglint::raw::basis_q14;
@@ -66,7 +67,7 @@ pub fn basis_q14(l: [i16; 3]) -> [[i16; 3]; 2] {
     [each(t, I2F14::to_bits), each(b, I2F14::to_bits)]
 }
 
-/// [`sampling::points`] in Q14.
+/// [`sampling::points`] in Q14, from 0 to 16383.
 ///
 /// ```
 /// use sunglint::raw::points_q14;
@@ -78,7 +79,8 @@ pub fn points_q14(first: u32, count: u32) -> impl Iterator<Item = [i16; 2]> {
     sampling::points::<I2F14>(first, count).map(|[z, turn]| [z.to_bits(), turn.to_bits()])
 }
 
-/// [`shadow::soft_shadow`] in Q14: the visible share and the mean cosine, both in Q30.
+/// [`shadow::soft_shadow`] in Q14: the visible share and the mean cosine, both in Q30. Besides the sampling's
+/// error, `2 count^-0.75`, Q14 itself costs up to 0.0021 at the Sun (`tests/shadow.rs`).
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q14, cone_q14, soft_shadow_q14};
@@ -111,7 +113,8 @@ pub fn cone_q30(l: [i32; 3], light: &SphereQ30) -> ConeQ30 {
     Cone::new(q30(l), light)
 }
 
-/// [`Cone::direction`] in Q30; the point too, from 0 to `2^30 - 1`. Worst error at the Sun 1.8e-9 rad.
+/// [`Cone::direction`] in Q30; the point too, from 0 to `2^30 - 1`. Worst error at discs like the Sun's 1.9e-9
+/// rad (`tests/figures.rs`).
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q30, cone_contains_q30, cone_direction_q30, cone_q30, points_q30};
@@ -125,7 +128,7 @@ pub fn cone_direction_q30(cone: &ConeQ30, [z, turn]: [i32; 2]) -> [i32; 3] {
     each(cone.direction([I2F30::from_bits(z), I2F30::from_bits(turn)]), I2F30::to_bits)
 }
 
-/// [`Cone::contains`] in Q30.
+/// [`Cone::contains`] in Q30. At discs like the Sun's the rim is told to within 1.2e-11 rad (`tests/figures.rs`).
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q30, cone_contains_q30, cone_q30};
@@ -139,7 +142,7 @@ pub fn cone_contains_q30(cone: &ConeQ30, direction: [i32; 3]) -> bool {
     cone.contains(q30(direction))
 }
 
-/// The basis of [`sampling::basis`] in Q30.
+/// The basis of [`sampling::basis`] in Q30. Within 2.3e-9 of right angles and of length 1.
 ///
 /// ```
 /// use sunglint::raw::basis_q30;
@@ -152,7 +155,7 @@ pub fn basis_q30(l: [i32; 3]) -> [[i32; 3]; 2] {
     [each(t, I2F30::to_bits), each(b, I2F30::to_bits)]
 }
 
-/// [`sampling::points`] in Q30.
+/// [`sampling::points`] in Q30, from 0 to `2^30 - 1`.
 ///
 /// ```
 /// use sunglint::raw::points_q30;
@@ -164,7 +167,8 @@ pub fn points_q30(first: u32, count: u32) -> impl Iterator<Item = [i32; 2]> {
     sampling::points::<I2F30>(first, count).map(|[z, turn]| [z.to_bits(), turn.to_bits()])
 }
 
-/// [`shadow::soft_shadow`] in Q30: the visible share and the mean cosine, both in Q30.
+/// [`shadow::soft_shadow`] in Q30: the visible share and the mean cosine, both in Q30. Within `2 count^-0.75`
+/// (`tests/shadow.rs`).
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q30, cone_q30, soft_shadow_q30};

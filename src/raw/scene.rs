@@ -29,7 +29,8 @@ pub type SceneQ14<const LIGHTS: usize, H = ConeGgx<I2F14>> = Scene<I2F14, LIGHTS
 /// named.
 pub type SceneQ30<const LIGHTS: usize, H = ConeGgx<I2F30>> = Scene<I2F30, LIGHTS, H>;
 
-/// [`Surface::new`] from numbers in Q30 (1073741824 is 1), for a material that changes at run time.
+/// [`Surface::new`] from numbers in Q30 (1073741824 is 1), for a material that changes at run time: `albedo` and `f0`
+/// from 0 to 1, `alpha` 0 or from 5e-4 (536871) to 1.
 ///
 /// ```
 /// use sunglint::material::MaterialError;
@@ -74,7 +75,7 @@ fn surface<T: Real<Scalar = Scaled>>(
     Surface::new(each(albedo, number), number(alpha), each(f0, number))
 }
 
-/// [`Lamp::new`] from a Q14 direction and an illuminance in Q16.
+/// [`Lamp::new`] from a Q14 direction and an illuminance in Q16, any. Exact but for the rounding of 32 bits to 31.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q14, lamp_q14};
@@ -91,7 +92,7 @@ pub fn lamp_q14(direction: [i16; 3], light: &SphereQ14, illuminance: [u32; 3]) -
     Lamp::new(q14(direction), *light, each(illuminance, U16F16::from_bits))
 }
 
-/// [`Lamp::new`] from a Q30 direction and an illuminance in Q32.
+/// [`Lamp::new`] from a Q30 direction and an illuminance in Q32, any, of which 31 bits are significant.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q30, SceneQ30, lamp_q30, shade_q30, surface_q30};
@@ -110,7 +111,8 @@ pub fn lamp_q30(direction: [i32; 3], light: &SphereQ30, illuminance: [u64; 3]) -
     Lamp::new(q30(direction), *light, each(illuminance, U32F32::from_bits))
 }
 
-/// [`Scene::shade`] in Q14: red, green and blue in Q16, at most `2^32 - 1`.
+/// [`Scene::shade`] in Q14: red, green and blue in Q16, at most `2^32 - 1`. With [`ConeGgx`] under the Sun the root mean
+/// square error is 1.7e-4 of the value for an alpha of 1/16; `trial::gloss` has those of other cases.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q14, SceneQ14, lamp_q14, shade_q14, surface_q14};
@@ -133,7 +135,7 @@ pub fn shade_q14<const LIGHTS: usize, H: Highlight<I2F14>>(
     each(scene.shade(q14(n), q14(v)), U16F16::to_bits)
 }
 
-/// [`Scene::shade_channel`] in Q14: one channel in Q16.
+/// [`Scene::shade_channel`] in Q14: one channel in Q16, as [`shade_q14`] has it.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q14, SceneQ14, lamp_q14, shade_channel_q14, shade_q14, surface_q14};
@@ -154,7 +156,8 @@ pub fn shade_channel_q14<const LIGHTS: usize, H: Highlight<I2F14>>(
     scene.shade_channel(q14(n), q14(v), channel).to_bits()
 }
 
-/// [`Scene::shade`] in Q30: red, green and blue in Q32, at most `2^64 - 1`.
+/// [`Scene::shade`] in Q30: red, green and blue in Q32, at most `2^64 - 1`. With [`ConeGgx`] under the Sun the root mean
+/// square error is 2.8e-9 of the value for an alpha of 1/16; `trial::gloss` has those of other cases.
 ///
 /// ```
 /// use sunglint::raw::{SUN_Q30, SceneQ30, lamp_q30, shade_q30, surface_q30};
@@ -174,7 +177,7 @@ pub fn shade_q30<const LIGHTS: usize, H: Highlight<I2F30>>(
     each(scene.shade(q30(n), q30(v)), U32F32::to_bits)
 }
 
-/// [`Scene::shade_channel`] in Q30: one channel in Q32.
+/// [`Scene::shade_channel`] in Q30: one channel in Q32, as [`shade_q30`] has it.
 ///
 /// ```
 /// use sunglint::highlight::PointGgx;

@@ -36,7 +36,7 @@ pub trait Float: Scalar {
     /// 1/pi and what it lacks.
     const INVERSE_PI: [Self; 2];
 
-    /// `length / sqrt(square)` for a positive `square`.
+    /// `length / sqrt(square)` for a positive `square`: two roundings, in micromath within 6e-6.
     ///
     /// ```
     /// use sunglint::Float;
