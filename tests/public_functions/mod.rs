@@ -10,7 +10,7 @@ const STUDY: [&str; 3] = ["oracle", "trial", "bin"];
 pub struct Function {
     /// `Type::name` of methods, `Trait::name` of a public trait's, `module::name` of functions.
     pub name: String,
-    /// The module by which it is called: the first part of its source's path.
+    /// The module by which it is called.
     pub module: String,
     /// The comments and attributes right before it.
     pub documentation: Vec<String>,
@@ -40,7 +40,8 @@ pub fn public_functions() -> Vec<Function> {
     functions
 }
 
-fn module(file: &Path) -> String {
+/// The first part of a source's path.
+pub fn module(file: &Path) -> String {
     let inside = file.strip_prefix(root().join("src")).unwrap();
     Path::new(inside.iter().next().unwrap()).file_stem().unwrap().to_str().unwrap().to_owned()
 }
