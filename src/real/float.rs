@@ -41,8 +41,7 @@ pub trait Float: Scalar {
     /// ```
     /// use sunglint::Float;
     ///
-    /// assert_eq!(<f64 as Float>::over_root(3.0, 4.0), 1.5);
-    /// // micromath's is a bit trick with two Newton steps.
+    /// assert_eq!(Float::over_root(3.0, 4.0_f64), 1.5);
     /// let one = sunglint::micromath::F32(1.0);
     /// assert!((Float::over_root(one, one).0 - 1.0).abs() < 6e-6);
     /// ```
