@@ -45,6 +45,16 @@ pub struct DistantLight {
 impl DistantLight {
     /// A sphere whose radius over distance is `ratio`, from 0 (a point at infinity) to 1 (seen from its surface).
     ///
+    /// ```
+    /// use sunglint::{DistantLight, LightError};
+    ///
+    /// // A lamp 10 cm across, one metre away.
+    /// let lamp = DistantLight::from_ratio(0.05 / 1.0).unwrap();
+    /// assert!((lamp.angular_radius().to_degrees() - 2.866).abs() < 0.001);
+    /// // From nearer than its surface there is no disc.
+    /// assert_eq!(DistantLight::from_ratio(1.5), Err(LightError::Ratio(1.5)));
+    /// ```
+    ///
     /// # Errors
     /// [`LightError::Ratio`] for NaN, negative values and values above 1.
     pub const fn from_ratio(ratio: f64) -> Result<Self, LightError> {
@@ -55,6 +65,15 @@ impl DistantLight {
     }
 
     /// A sphere of `radius` at `distance`, both in the same unit.
+    ///
+    /// ```
+    /// use sunglint::{DistantLight, LightError, SUN};
+    ///
+    /// // The Moon, in kilometres, is a little narrower than the Sun.
+    /// let moon = DistantLight::from_radius_and_distance(1737.4, 384_400.0).unwrap();
+    /// assert!((moon.sin() / SUN.sin() - 0.972).abs() < 0.001);
+    /// assert_eq!(DistantLight::from_radius_and_distance(1.0, 0.0), Err(LightError::Distance(0.0)));
+    /// ```
     ///
     /// # Errors
     /// [`LightError::Distance`] where `distance` is not positive and finite, [`LightError::Radius`] where `radius` is
@@ -71,6 +90,15 @@ impl DistantLight {
 
     /// A disc in the sky of angular radius `theta` radians, from 0 to pi.
     ///
+    /// ```
+    /// use sunglint::{DistantLight, LightError};
+    ///
+    /// let lamp = DistantLight::from_angular_radius(0.1).unwrap();
+    /// assert!((lamp.sin() - 0.099_833).abs() < 1e-6);
+    /// // Degrees in place of radians are refused where they can be told.
+    /// assert_eq!(DistantLight::from_angular_radius(30.0), Err(LightError::AngularRadius(30.0)));
+    /// ```
+    ///
     /// # Errors
     /// [`LightError::AngularRadius`] for NaN and values out of that range.
     pub const fn from_angular_radius(theta: f64) -> Result<Self, LightError> {
@@ -82,6 +110,15 @@ impl DistantLight {
     }
 
     /// A disc in the sky as UsdLux `angle` gives it: the angular *diameter* in *degrees*, from 0 to 360.
+    ///
+    /// ```
+    /// use sunglint::{DistantLight, LightError, SUN};
+    ///
+    /// // UsdLux's default is the Sun's diameter, rounded: half a per cent less.
+    /// let usd = DistantLight::from_angle(0.53).unwrap();
+    /// assert!((usd.sin() / SUN.sin() - 0.9945).abs() < 1e-4);
+    /// assert_eq!(DistantLight::from_angle(400.0), Err(LightError::Angle(400.0)));
+    /// ```
     ///
     /// # Errors
     /// [`LightError::Angle`] for NaN and values out of that range.
@@ -109,32 +146,76 @@ impl DistantLight {
     }
 
     /// Sine of the angular radius; radius over distance for all that subtend up to half the sky.
+    ///
+    /// ```
+    /// use sunglint::{DistantLight, SUN};
+    ///
+    /// assert!((SUN.sin() - 695_700.0 / 149_597_870.7).abs() < 1e-18);
+    /// // Three quarters of a turn wide: it falls again beyond half the sky.
+    /// assert!((DistantLight::from_angle(270.0).unwrap().sin() - 0.5_f64.sqrt()).abs() < 1e-15);
+    /// ```
     #[doc(alias = "ratio")]
     pub const fn sin(&self) -> f64 {
         self.sin
     }
 
     /// Cosine of the angular radius; negative beyond half the sky.
+    ///
+    /// ```
+    /// use sunglint::{DistantLight, SUN};
+    ///
+    /// assert!((SUN.cos() - 0.999_989_186_5).abs() < 1e-10);
+    /// assert_eq!(DistantLight::from_angle(360.0).unwrap().cos(), -1.0);
+    /// ```
     pub const fn cos(&self) -> f64 {
         self.cos
     }
 
     /// `1 - cos` of the angular radius, from 0 to 2, to full precision for small discs.
+    ///
+    /// ```
+    /// use sunglint::DistantLight;
+    ///
+    /// let star = DistantLight::from_ratio(1e-9).unwrap();
+    /// assert_eq!(star.versine(), 5e-19);
+    /// // By subtraction nothing is left of it.
+    /// assert_eq!(1.0 - star.cos(), 0.0);
+    /// ```
     pub const fn versine(&self) -> f64 {
         self.versine
     }
 
     /// Radius, in the unit that the light was given in; the ratio itself where no distance was given.
+    ///
+    /// ```
+    /// use sunglint::{DistantLight, SUN};
+    ///
+    /// assert_eq!(SUN.radius(), 695_700.0); // kilometres
+    /// assert_eq!(DistantLight::from_ratio(0.05).unwrap().radius(), 0.05);
+    /// ```
     pub const fn radius(&self) -> f64 {
         self.radius
     }
 
     /// Distance, in the unit that the light was given in; 1 where none was given.
+    ///
+    /// ```
+    /// use sunglint::{DistantLight, SUN};
+    ///
+    /// assert_eq!(SUN.distance(), 149_597_870.7); // kilometres
+    /// assert_eq!(DistantLight::from_angle(0.53).unwrap().distance(), 1.0);
+    /// ```
     pub const fn distance(&self) -> f64 {
         self.distance
     }
 
     /// The angular radius in radians, from 0 to pi.
+    ///
+    /// ```
+    /// // The Sun is 0.533 degrees wide.
+    /// let diameter = 2.0 * sunglint::SUN.angular_radius();
+    /// assert!((diameter.to_degrees() - 0.5329).abs() < 1e-4);
+    /// ```
     pub fn angular_radius(&self) -> f64 {
         libm::atan2(self.sin, self.cos)
     }

@@ -16,7 +16,8 @@
 //!
 //! Error, over every ratio that f32, f16 and I2F30 have (`tests/exhaustive.rs`; f64 against 192 bits in
 //! `tests/normalization.rs`): at most 0.51 units in the last place in f64, f32 and micromath, 0.76 where the answer is
-//! subnormal, and 0.8 in f16; 6 in f64 for a [`DistantLight`]; 0.51 units of the last place in fixed point, but 2 for
+//! subnormal, and 0.8 in f16; 6 in f64 for a [`DistantLight`]; 0.51 units of the last place in fixed point, but 1 for
+//! [`DistantLight::size_factor_q48`] and [`DistantLight::solid_angle_q48`], 2 for
 //! [`DistantLight::inverse_size_factor_q12`]. The fixed-point formats have 64 bits because no 32-bit format covers
 //! sizeFactor from `x = 1e-6` (3.1e-12) to 1 (pi): U16F48 is 0.06 % coarse at the small end, U52F12 0.08 % at the
 //! other.
@@ -34,7 +35,15 @@ const SUN_RATIO: f64 = SOLAR_RADIUS_KM / ASTRONOMICAL_UNIT_KM;
 const SUN_RATIO_REST: f64 = -7.436082772989386e-19;
 
 impl DistantLight {
-    /// Solid angle in steradians: `2 pi w`, from 0 to `4 pi`.
+    /// Solid angle in steradians: `2 pi w`, from 0 to `4 pi`. Within 6 units in the last place.
+    ///
+    /// ```
+    /// use core::f64::consts::PI;
+    /// use sunglint::{DistantLight, SUN};
+    ///
+    /// assert!((SUN.solid_angle() - 6.7943e-5).abs() < 1e-9);
+    /// assert_eq!(DistantLight::from_angle(360.0).unwrap().solid_angle(), 4.0 * PI);
+    /// ```
     pub const fn solid_angle(&self) -> f64 {
         2.0 * PI * self.versine()
     }
@@ -43,7 +52,16 @@ impl DistantLight {
     /// beyond.
     ///
     /// Radiance times this is the illuminance of a plane that faces the light; beyond half the sky counting both
-    /// sides of the plane.
+    /// sides of the plane. Within 6 units in the last place.
+    ///
+    /// ```
+    /// use core::f64::consts::PI;
+    /// use sunglint::DistantLight;
+    ///
+    /// let of = |angle| DistantLight::from_angle(angle).unwrap().size_factor();
+    /// // It jumps at 0, and goes on rising beyond half the sky.
+    /// assert_eq!([of(0.0), of(180.0), of(360.0)], [1.0, PI, 2.0 * PI]);
+    /// ```
     pub const fn size_factor(&self) -> f64 {
         let projected = PI * self.sin() * self.sin();
         // Not asked of the versine, which underflows before the sine is zero.
@@ -59,6 +77,14 @@ impl DistantLight {
     /// Radiance of a light that is normalised to give `intensity` as illuminance, whatever its size: `intensity /
     /// sizeFactor`.
     ///
+    /// ```
+    /// use sunglint::{LightError, SUN};
+    ///
+    /// // Noon: 100 000 lx from so small a disc take 1.47e9 cd/m^2.
+    /// assert!((SUN.radiance(100_000.0).unwrap() / 1.4718e9 - 1.0).abs() < 1e-4);
+    /// assert_eq!(SUN.radiance(-1.0), Err(LightError::Intensity(-1.0)));
+    /// ```
+    ///
     /// # Errors
     /// [`LightError::Intensity`] where `intensity` is negative, NaN or infinite; [`LightError::Overflow`] where the
     /// answer is infinite.
@@ -73,6 +99,14 @@ impl DistantLight {
 
     /// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white.
     ///
+    /// ```
+    /// use sunglint::{DistantLight, LightError, SUN};
+    ///
+    /// assert!((SUN.white_radiance().unwrap() - 46_238.8).abs() < 0.1);
+    /// let point = DistantLight::from_ratio(0.0).unwrap();
+    /// assert_eq!(point.white_radiance(), Err(LightError::Overflow("f64")));
+    /// ```
+    ///
     /// # Errors
     /// [`LightError::Overflow`] where that is infinite, as for a point.
     pub const fn white_radiance(&self) -> Result<f64, LightError> {
@@ -84,6 +118,14 @@ impl DistantLight {
 
 /// `w = 1 - cos(theta) = x^2 / (1 + sqrt(1 - x^2))`, which nothing is subtracted in that cancels.
 ///
+/// ```
+/// use sunglint::normalization::versine;
+///
+/// assert_eq!(versine(1e-4_f32).unwrap(), 5e-9);
+/// // Out of the cosine it is lost.
+/// assert_eq!(1.0 - (1.0 - 1e-8_f32).sqrt(), 0.0);
+/// ```
+///
 /// # Errors
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
 pub fn versine<T: Float>(ratio: T) -> Result<T, LightError> {
@@ -93,6 +135,15 @@ pub fn versine<T: Float>(ratio: T) -> Result<T, LightError> {
 
 /// Solid angle `2 pi w` in steradians.
 ///
+/// ```
+/// use core::f32::consts::TAU;
+/// use sunglint::LightError;
+/// use sunglint::normalization::solid_angle;
+///
+/// assert_eq!(solid_angle(1.0), Ok(TAU)); // half the sky
+/// assert_eq!(solid_angle(1.5_f32), Err(LightError::Ratio(1.5)));
+/// ```
+///
 /// # Errors
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
 pub fn solid_angle<T: Float>(ratio: T) -> Result<T, LightError> {
@@ -101,6 +152,15 @@ pub fn solid_angle<T: Float>(ratio: T) -> Result<T, LightError> {
 }
 
 /// UsdLux `sizeFactor` of a sphere, in steradians: 1 for `x = 0`, else `pi x^2`.
+///
+/// ```
+/// use core::f32::consts::PI;
+/// use sunglint::normalization::size_factor;
+///
+/// assert_eq!(size_factor(1.0), Ok(PI));
+/// // A point is not divided by its size.
+/// assert_eq!(size_factor(0.0_f32), Ok(1.0));
+/// ```
 ///
 /// # Errors
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1.
@@ -114,6 +174,15 @@ pub fn size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
 }
 
 /// `1 / sizeFactor`: 1 for `x = 0`, else `1 / (pi x^2)`.
+///
+/// ```
+/// use sunglint::LightError;
+/// use sunglint::half::f16;
+/// use sunglint::normalization::inverse_size_factor;
+///
+/// assert_eq!(inverse_size_factor(0.05_f32), Ok(127.323_95));
+/// assert_eq!(inverse_size_factor(f16::from_f32(0.002)), Err(LightError::Overflow("f16")));
+/// ```
 ///
 /// # Errors
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is
@@ -131,6 +200,14 @@ pub fn inverse_size_factor<T: Float>(ratio: T) -> Result<T, LightError> {
 ///
 /// Within the bound of the others for ratios from 1e-27 and all intensities in f32, for ratios from 1/2048 and
 /// intensities from 0.001 in f16; below, squares and quotients lose digits.
+///
+/// ```
+/// use sunglint::normalization::radiance;
+///
+/// // A lamp of ratio 0.05 that gives 500 lx: 63 662 cd/m^2.
+/// assert!((radiance(500.0, 0.05_f32).unwrap() - 63_662.0).abs() < 0.1);
+/// assert_eq!(radiance(500.0, 0.0_f32), Ok(500.0));
+/// ```
 ///
 /// # Errors
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Intensity`] where `intensity` is
@@ -151,6 +228,16 @@ pub fn radiance<T: Float>(intensity: T, ratio: T) -> Result<T, LightError> {
 
 /// Radiance `E = (d/R)^2` with which a small sphere makes a white surface that faces it exactly white.
 ///
+/// ```
+/// use sunglint::LightError;
+/// use sunglint::half::f16;
+/// use sunglint::normalization::white_radiance;
+///
+/// // The Sun fits into f16 as seen from Earth, not from Mars.
+/// assert_eq!(white_radiance(f16::from_f32(4.650_47e-3)), Ok(f16::from_f32(46_240.0)));
+/// assert_eq!(white_radiance(f16::from_f32(3.0521e-3)), Err(LightError::Overflow("f16")));
+/// ```
+///
 /// # Errors
 /// [`LightError::Ratio`] where `ratio` is NaN or out of 0 to 1; [`LightError::Overflow`] where the answer is
 /// infinite: for 0, and in f16 up to 1/256.
@@ -164,6 +251,13 @@ pub fn white_radiance<T: Float>(ratio: T) -> Result<T, LightError> {
 
 /// Radius of a sphere at `distance` that looks as large as the Sun, in the distance's unit: `distance` times 695 700
 /// / 149 597 870.7.
+///
+/// ```
+/// use sunglint::normalization::sun_radius_at;
+///
+/// // A ball for a sun a kilometre away is 9.3 m across.
+/// assert_eq!(sun_radius_at(1000.0_f32), Ok(4.650_467_4));
+/// ```
 ///
 /// # Errors
 /// [`LightError::Distance`] where `distance` is not positive and finite.

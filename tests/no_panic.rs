@@ -1,79 +1,11 @@
 //! That nothing of the core panics is shown by linking `tests/no_panic`, see `.ci/run`; here is that nothing is left
 //! out of it.
 
+mod public_functions;
+
 use std::fs;
-use std::path::{Path, PathBuf};
 
-/// Not for use on a target.
-const STUDY: [&str; 3] = ["oracle", "trial", "bin"];
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
-        if entry.is_dir() {
-            files.extend(sources(&entry));
-        } else if entry.extension().is_some_and(|extension| extension == "rs") {
-            files.push(entry);
-        }
-    }
-    files
-}
-
-/// The first part of a source's path: the module by which its functions are called.
-fn module(file: &Path) -> String {
-    let inside = file.strip_prefix(root().join("src")).unwrap();
-    Path::new(inside.iter().next().unwrap()).file_stem().unwrap().to_str().unwrap().to_owned()
-}
-
-fn identifier(text: &str) -> &str {
-    text.split(|letter: char| !letter.is_alphanumeric() && letter != '_').next().unwrap()
-}
-
-/// What follows a list of generic parameters, if one comes first.
-fn after_generics(text: &str) -> &str {
-    if !text.starts_with('<') {
-        return text;
-    }
-    let mut depth = 0;
-    for (place, letter) in text.char_indices() {
-        depth += i32::from(letter == '<') - i32::from(letter == '>');
-        if depth == 0 {
-            return &text[place + 1..];
-        }
-    }
-    panic!("{text} has no end")
-}
-
-/// `Type::name` of methods, `Trait::name` of a public trait's, `module::name` of functions.
-fn public_functions(file: &Path) -> Vec<String> {
-    let mut names = Vec::new();
-    // Indentation, owner, and whether all that it has is public.
-    let mut block: Option<(usize, String, bool)> = None;
-    for line in fs::read_to_string(file).unwrap().lines() {
-        let code = line.trim_start();
-        let depth = line.len() - code.len();
-        if let Some(rest) =
-            code.strip_prefix("impl").filter(|rest| rest.starts_with(['<', ' ']) && !rest.ends_with('}'))
-        {
-            block = Some((depth, identifier(after_generics(rest).trim_start()).to_owned(), false));
-        } else if let Some(rest) = code.strip_prefix("pub trait ").filter(|rest| !rest.ends_with('}')) {
-            block = Some((depth, identifier(rest).to_owned(), true));
-        } else if code == "}" && block.as_ref().is_some_and(|(start, ..)| *start == depth) {
-            block = None;
-        }
-        let public = code.strip_prefix("pub ").map(|code| code.strip_prefix("const ").unwrap_or(code));
-        let of_trait = Some(code).filter(|_| block.as_ref().is_some_and(|(start, _, all)| *all && *start + 4 == depth));
-        if let Some(rest) = public.or(of_trait).and_then(|code| code.strip_prefix("fn ")) {
-            let owner = block.as_ref().map_or_else(|| module(file), |(_, owner, _)| owner.clone());
-            names.push(format!("{owner}::{}", identifier(rest)));
-        }
-    }
-    names
-}
+use public_functions::{after_generics, public_functions, root, sources};
 
 /// Code in which `Type::<T>::name` and `<T as Trait>::name` are `Type::name` and `Trait::name`.
 fn without_generics(code: &str) -> String {
@@ -100,9 +32,7 @@ fn the_images_call_every_public_function() {
         .map(|file| fs::read_to_string(file).unwrap())
         .map(|code| without_generics(&code))
         .collect();
-    let core = sources(&root().join("src")).into_iter().filter(|file| !STUDY.contains(&module(file).as_str()));
-    let mut public: Vec<_> = core.flat_map(|file| public_functions(&file)).collect();
-    public.sort();
+    let mut public: Vec<_> = public_functions().into_iter().map(|function| function.name).collect();
     public.dedup();
     println!("{} public functions", public.len());
     for known in

@@ -1,5 +1,7 @@
 //! The README's tables are the tables of budgets, and what the tests' own says of tests is so.
 
+use std::f64::consts::FRAC_PI_2;
+
 use sunglint::trial::judge::DISC_LOST;
 use sunglint::trial::{Format, Method, Shading, Visitor, budget, gloss, input, judge};
 use sunglint::{Real, SUN};
@@ -36,15 +38,40 @@ fn errors_are_the_budgets_that_are_asserted() {
     }
 }
 
+/// The figures of the first row in the documentation of directions that starts so.
+fn documented(start: &str) -> [Option<f64>; 7] {
+    let start = format!("/// | {start} |");
+    let line = include_str!("../src/specular.rs").lines().find(|line| line.starts_with(&start)).unwrap();
+    let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+    std::array::from_fn(|index| cells[2 + index].parse().ok())
+}
+
 #[test]
 fn errors_in_the_documentation_are_the_budgets_too() {
     let formats = include_str!("../src/lib.rs");
-    let cap = include_str!("../src/specular.rs").lines().find(|line| line.starts_with("/// | worst |"));
-    let cells: Vec<&str> = cap.unwrap().split('|').map(str::trim).collect();
-    for (index, format) in Format::ALL.into_iter().enumerate() {
-        let budget = budget::maximum(Method::Cap, format, 0);
-        assert_eq!(row(formats, format)[4].trim_end_matches(" rad").parse().ok(), budget, "{}", format.name());
-        assert_eq!(cells[2 + index].parse().ok(), budget, "{}", format.name());
+    for format in Format::ALL {
+        let shown = |start: &str| documented(start)[format as usize];
+        let cap = budget::maximum(Method::Cap, format, 0);
+        assert_eq!(row(formats, format)[4].trim_end_matches(" rad").parse().ok(), cap, "{}", format.name());
+        assert_eq!(shown("worst"), cap, "{}", format.name());
+        assert_eq!(shown("the Sun"), budget::maximum(Method::Factored, format, 0), "{}", format.name());
+        let widest = budget::of_any_light(Method::Factored, format, FRAC_PI_2);
+        assert_eq!(shown("up to half the sky"), widest, "{}", format.name());
+        let normalized = budget::normalize(format).map(Some);
+        assert_eq!([shown("direction, rad"), shown("length")], normalized, "{}", format.name());
+    }
+}
+
+#[test]
+fn errors_in_the_documentation_of_raw_bits_are_the_budgets_too() {
+    let mut documentation = include_str!("../src/raw.rs").lines();
+    for (format, places) in [(Format::I2F14, "Q14"), (Format::I2F30, "Q30")] {
+        for method in [Method::Cap, Method::Factored, Method::Disc] {
+            let start = format!("/// [`{0}`](specular::{0}) in {places}", method.name());
+            let line = documentation.find(|line| line.starts_with(&start)).unwrap();
+            let figure = line.split("at the Sun ").nth(1).and_then(|rest| rest.split(" rad").next());
+            assert_eq!(figure.unwrap().parse().ok(), budget::maximum(method, format, 0), "{line}");
+        }
     }
 }
 

@@ -89,6 +89,15 @@ impl PixelQ14 {
     /// The constants of a light whose centre is in the unit `direction`, Q14, and that gives a surface which faces it
     /// `illuminance` in red, green and blue, Q16. Some thousand instructions in [`Scaled`] numbers, once a light.
     ///
+    /// ```
+    /// use sunglint::raw::{PixelQ14, SUN_Q14, surface_q14};
+    /// use sunglint::scene::SceneError;
+    ///
+    /// let grey = surface_q14([1 << 29; 3], 1 << 28, [1 << 25; 3]).unwrap();
+    /// assert!(PixelQ14::new([0, 0, 16_384], &SUN_Q14, &grey, [205_887; 3]).is_ok());
+    /// assert!(matches!(PixelQ14::new([0, 0, 0], &SUN_Q14, &grey, [205_887; 3]), Err(SceneError::Direction(_))));
+    /// ```
+    ///
     /// # Errors
     /// [`SceneError::Direction`] where the length is not within a tenth of 1.
     pub fn new(
@@ -114,6 +123,18 @@ impl PixelQ14 {
 
     /// Radiance in one channel, Q16, that a surface of the unit normal `n` sends towards the unit direction `v`, both
     /// Q14. Error and cost are the type's.
+    ///
+    /// ```
+    /// use sunglint::raw::{PixelQ14, SUN_Q14, surface_q14};
+    /// use sunglint::scene::Channel;
+    ///
+    /// // Matt white under illuminance pi is white, 65 536, but for 6e-5; from below it is black.
+    /// let white = surface_q14([1 << 30; 3], 1 << 30, [0; 3]).unwrap();
+    /// let pixel = PixelQ14::new([0, 0, 16_384], &SUN_Q14, &white, [205_887; 3]).unwrap();
+    /// let seen = |v| pixel.shade_channel([0, 0, 16_384], v, Channel::Green);
+    /// assert!(seen([0, 0, 16_384]).abs_diff(65_536) <= 5);
+    /// assert_eq!(seen([9830, 0, -13_107]), 0);
+    /// ```
     #[inline]
     pub fn shade_channel(&self, n: [i16; 3], v: [i16; 3], channel: Channel) -> u32 {
         let [red, green, blue] = &self.channels;
@@ -129,6 +150,16 @@ impl PixelQ14 {
     }
 
     /// [`shade_channel`](Self::shade_channel) of red, green and blue.
+    ///
+    /// ```
+    /// use sunglint::raw::{PixelQ14, SUN_Q14, surface_q14};
+    ///
+    /// // Matt, and red alone reflects all of the light.
+    /// let red = surface_q14([1 << 30, 1 << 28, 0], 1 << 30, [0; 3]).unwrap();
+    /// let pixel = PixelQ14::new([0, 0, 16_384], &SUN_Q14, &red, [205_887; 3]).unwrap();
+    /// let [r, g, b] = pixel.shade([0, 0, 16_384], [9830, 0, 13_107]);
+    /// assert!(r.abs_diff(4 * g) <= 8 && b == 0);
+    /// ```
     pub fn shade(&self, n: [i16; 3], v: [i16; 3]) -> [u32; 3] {
         match self.seen(n, v) {
             Some((facing, gloss)) => {

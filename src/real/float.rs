@@ -36,7 +36,15 @@ pub trait Float: Scalar {
     /// 1/pi and what it lacks.
     const INVERSE_PI: [Self; 2];
 
-    /// `length / sqrt(square)` for a positive `square`.
+    /// `length / sqrt(square)` for a positive `square`: two roundings, in micromath within 6e-6.
+    ///
+    /// ```
+    /// use sunglint::Float;
+    ///
+    /// assert_eq!(Float::over_root(3.0, 4.0_f64), 1.5);
+    /// let one = sunglint::micromath::F32(1.0);
+    /// assert!((Float::over_root(one, one).0 - 1.0).abs() < 6e-6);
+    /// ```
     fn over_root(length: Self, square: Self) -> Self;
 }
 

@@ -27,19 +27,61 @@ pub trait Scalar:
     const NEAR_ONE: Option<[Constant; 2]>;
 
     /// The nearest value of the format.
+    ///
+    /// ```
+    /// use sunglint::{Scalar, half::f16};
+    ///
+    /// assert_eq!(f16::nearest(0.1).to_bits(), 0x2e66);
+    /// assert_eq!(f16::nearest(1e6), f16::INFINITY);
+    /// ```
     fn nearest(value: f64) -> Self;
 
-    /// The exact value.
+    /// The exact value; infinite for a [`Scaled`](super::Scaled) beyond f64's range.
+    ///
+    /// ```
+    /// use sunglint::Scalar;
+    ///
+    /// // What f32 makes of a tenth.
+    /// assert_eq!(0.1_f32.exact(), 0.100_000_001_490_116_12);
+    /// ```
     fn exact(self) -> f64;
 
     /// A number that is known at compile time; brings no f64 arithmetic into integer-only code.
+    ///
+    /// ```
+    /// use sunglint::real::{Constant, Scaled};
+    /// use sunglint::{Scalar, half::f16};
+    ///
+    /// const PI: Constant = Constant::new(core::f64::consts::PI);
+    /// assert_eq!(f32::constant(PI), core::f32::consts::PI);
+    /// assert_eq!(f16::constant(PI), f16::PI);
+    /// assert_eq!(Scaled::constant(PI).to_bits(16), 205_887);
+    /// ```
     fn constant(constant: Constant) -> Self;
 
-    /// The square root; zero for zero, NaN or zero for negatives.
+    /// The square root; zero for zero, NaN or zero for negatives. Correctly rounded in f64, f32 and f16; a micromath root
+    /// is a bit trick and two Newton steps, off by up to 6e-6; [`Scaled`](super::Scaled) within 0.77 units of the last
+    /// place (`tests/scaled.rs`).
+    ///
+    /// ```
+    /// use sunglint::{Scalar, real::Scaled};
+    ///
+    /// assert_eq!(Scaled::new(0.25).root(), Scaled::new(0.5));
+    /// assert_eq!(Scaled::new(-1.0).root(), Scaled::ZERO);
+    /// assert!((-1.0_f32).root().is_nan());
+    /// ```
     fn root(self) -> Self;
 
     /// `sqrt(a^2 + b^2)` of numbers that are not negative. Without their squares, which in a format of few exponents
     /// may leave its range; formats that have enough of them add the squares.
+    ///
+    /// ```
+    /// use sunglint::{Scalar, half::f16};
+    ///
+    /// let [a, b, c] = [300.0, 400.0, 500.0].map(f16::from_f32);
+    /// assert_eq!(f16::hypotenuse(a, b), c);
+    /// assert_eq!(a * a, f16::INFINITY);
+    /// ```
     #[inline]
     fn hypotenuse(a: Self, b: Self) -> Self {
         let (great, small) = if a > b { (a, b) } else { (b, a) };
@@ -51,10 +93,26 @@ pub trait Scalar:
         }
     }
 
-    /// `bits / 2^31`, to nearest: how integers become fractions of 1, as no cast of a narrow format can.
+    /// `bits / 2^31`, to nearest (f16: of the nearest f32): how integers become fractions of 1, as no cast of a narrow
+    /// format can.
+    ///
+    /// ```
+    /// use sunglint::{Scalar, real::Scaled};
+    ///
+    /// assert_eq!(f32::from_q31(1 << 30), 0.5);
+    /// assert_eq!(Scaled::from_q31(3 << 30), Scaled::new(1.5));
+    /// ```
     fn from_q31(bits: u32) -> Self;
 
-    /// `self * 2^31` without its fraction, for sums in integers; saturates at zero and below 2. NaN is zero.
+    /// `self * 2^31` for sums in integers: without its fraction of floats, to nearest of [`Scaled`](super::Scaled).
+    /// Saturates at zero and below 2. NaN is zero.
+    ///
+    /// ```
+    /// use sunglint::Scalar;
+    ///
+    /// assert_eq!(0.75_f32.to_q31(), 3 << 29);
+    /// assert_eq!([-1.0, f32::NAN, 9.0].map(Scalar::to_q31), [0, 0, u32::MAX]);
+    /// ```
     fn to_q31(self) -> u32;
 }
 
@@ -78,6 +136,13 @@ pub struct Constant {
 
 impl Constant {
     /// The constant nearest to `value`.
+    ///
+    /// ```
+    /// use sunglint::real::{Constant, Scalar};
+    ///
+    /// const THIRD: Constant = Constant::new(1.0 / 3.0);
+    /// assert_eq!([f32::constant(THIRD), 1.0 / 3.0], [0.333_333_34; 2]);
+    /// ```
     pub const fn new(value: f64) -> Self {
         Self {
             value,
@@ -92,11 +157,25 @@ impl Constant {
     }
 
     /// The value that it was made of.
+    ///
+    /// ```
+    /// use sunglint::real::Constant;
+    ///
+    /// assert_eq!(Constant::new(0.1).value(), 0.1);
+    /// ```
     pub const fn value(self) -> f64 {
         self.value
     }
 
     /// The same as an integer and a power of two.
+    ///
+    /// ```
+    /// use sunglint::Scalar;
+    /// use sunglint::real::Constant;
+    ///
+    /// // 31 bits of a tenth: within half of the last, which is 2^-34.
+    /// assert!((Constant::new(0.1).scaled().exact() - 0.1).abs() <= 2_f64.powi(-35));
+    /// ```
     #[cfg(feature = "fixed")]
     pub const fn scaled(self) -> Scaled {
         self.scaled

@@ -5,6 +5,14 @@ use crate::multiply::NARROW;
 
 impl Scaled {
     /// `bits * 2^exponent`, to nearest.
+    ///
+    /// ```
+    /// use sunglint::real::{Scalar, Scaled};
+    ///
+    /// assert_eq!(Scaled::from_bits(-3, -1), Scaled::new(-1.5));
+    /// // A cosine in Q60 keeps 31 bits.
+    /// assert_eq!(Scaled::from_bits((1 << 60) - 1, -60), Scaled::ONE);
+    /// ```
     #[inline]
     pub const fn from_bits(bits: i64, exponent: i32) -> Self {
         if bits as i32 as i64 == bits {
@@ -15,6 +23,14 @@ impl Scaled {
     }
 
     /// `bits * 2^exponent`, to nearest but that the last bit of numbers with 64 does not break ties.
+    ///
+    /// ```
+    /// use sunglint::real::{Scalar, Scaled};
+    ///
+    /// // A light level in Q16, and the greatest number of 64 bits, which is rounded.
+    /// assert_eq!(Scaled::from_unsigned(205_887, -16).to_bits(16), 205_887);
+    /// assert_eq!(Scaled::from_unsigned(u64::MAX, -64), Scaled::ONE);
+    /// ```
     #[inline]
     pub const fn from_unsigned(bits: u64, exponent: i32) -> Self {
         Self::of_size(bits, false, exponent)
@@ -60,6 +76,14 @@ impl Scaled {
 
     /// The number nearest to `value`; zero for NaN, [`Scalar::MAX`](super::Scalar::MAX) or its negative for infinities.
     /// For constants.
+    ///
+    /// ```
+    /// use sunglint::real::{Scalar, Scaled};
+    ///
+    /// const HALF: Scaled = Scaled::new(0.5);
+    /// assert_eq!((HALF * HALF).exact(), 0.25);
+    /// assert_eq!([f64::NAN, f64::INFINITY].map(Scaled::new), [Scaled::ZERO, Scaled::MAX]);
+    /// ```
     pub const fn new(value: f64) -> Self {
         let bits = value.to_bits();
         let fraction = (bits & ((1 << 52) - 1)) as i64;
@@ -73,6 +97,14 @@ impl Scaled {
     }
 
     /// The value times `2^fraction` as an integer, to nearest, halves upwards; saturates.
+    ///
+    /// ```
+    /// use sunglint::real::{Scalar, Scaled};
+    ///
+    /// assert_eq!(Scaled::new(1.5).to_bits(14), 24_576); // Q14
+    /// assert_eq!([-1.5, -0.5, 0.5].map(|half| Scaled::new(half).to_bits(0)), [-1, 0, 1]);
+    /// assert_eq!(Scaled::MAX.to_bits(0), i64::MAX);
+    /// ```
     #[inline]
     pub const fn to_bits(self, fraction: u32) -> i64 {
         match self.places_below(fraction) {
@@ -97,6 +129,13 @@ impl Scaled {
     }
 
     /// The value times `2^fraction` as an unsigned integer, to nearest; zero for negative values, saturates.
+    ///
+    /// ```
+    /// use sunglint::real::{Scalar, Scaled};
+    ///
+    /// assert_eq!(Scaled::new(2.5).to_unsigned(16), 163_840); // Q16
+    /// assert_eq!([Scaled::new(-2.0), Scaled::MAX].map(|end| end.to_unsigned(16)), [0, u64::MAX]);
+    /// ```
     #[inline]
     pub const fn to_unsigned(self, fraction: u32) -> u64 {
         match self.places_below(fraction) {
