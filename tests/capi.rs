@@ -250,6 +250,69 @@ fn null_gives_zeros() {
 }
 
 #[test]
+fn zero_vectors_and_opposites() {
+    let half = sunglint_sphere_q14(1 << 29).sphere;
+    let (zero, r, back) = ([0; 3].into(), [0, 9830, 13107].into(), [0, -9830, -13107].into());
+    assert_eq!(sunglint_cap_q14(zero, r, half), [0, 4915, 6554].into());
+    assert_eq!([sunglint_cap_q14(r, zero, half), sunglint_normalize_q14(zero)], [zero; 2]);
+    assert_eq!(sunglint_cap_q14(r, back, half), r);
+    let (x, y) = ([1 << 14, 0, 0].into(), [0, 1 << 14, 0].into());
+    assert_eq!(sunglint_factored_q14(x, y, sunglint_sphere_q14(1 << 30).sphere), zero);
+    let half = sunglint_sphere_q30(1 << 29).sphere;
+    let (zero, r, back) = ([0; 3].into(), [0, 644245094, 858993460].into(), [0, -644245094, -858993460].into());
+    assert_eq!(sunglint_cap_q30(zero, r, half), [0, 322122547, 429496730].into());
+    assert_eq!([sunglint_cap_q30(r, zero, half), sunglint_normalize_q30(zero)], [zero; 2]);
+    assert_eq!(sunglint_cap_q30(r, back, half), r);
+    let (x, y) = ([1 << 30, 0, 0].into(), [0, 1 << 30, 0].into());
+    assert_eq!(sunglint_factored_q30(x, y, sunglint_sphere_q30(1 << 30).sphere), zero);
+    let z_axis = BasisQ14 { t: [1 << 14, 0, 0].into(), b: [0, 1 << 14, 0].into() };
+    assert_eq!([[0; 3], [0, 0, 1 << 14], [i16::MAX; 3]].map(|l| sunglint_basis_q14(l.into())), [z_axis; 3]);
+    let z_axis = BasisQ30 { t: [1 << 30, 0, 0].into(), b: [0, 1 << 30, 0].into() };
+    assert_eq!([[0; 3], [0, 0, 1 << 30], [i32::MAX; 3]].map(|l| sunglint_basis_q30(l.into())), [z_axis; 3]);
+    assert_eq!(sunglint_reciprocal_root_q16(0), u32::MAX);
+}
+
+#[test]
+fn quantities_at_the_ends() {
+    assert_eq!(sunglint_lambert_q14(-1, u32::MAX, 1 << 28), 0);
+    assert_eq!(sunglint_lambert_q14(1 << 14, u32::MAX, -1), 0);
+    assert_eq!(sunglint_lambert_q14(1 << 14, 1 << 16, i32::MAX), sunglint_lambert_q14(1 << 14, 1 << 16, 1 << 28));
+    assert_eq!(sunglint_lambert_q30(-1, u64::MAX, 1 << 60), 0);
+    assert_eq!(sunglint_lambert_q30(1 << 30, u64::MAX, -1), 0);
+    assert_eq!(sunglint_lambert_q30(1 << 30, 1 << 32, i64::MAX), sunglint_lambert_q30(1 << 30, 1 << 32, 1 << 60));
+    let (sun, wide_sun) = (SUN_Q14.into(), SUN_Q30.into());
+    assert_eq!([-1 << 28, 1 << 28].map(|cos| sunglint_relative_illuminance_q14(cos, sun)), [0, 1 << 28]);
+    assert_eq!([-1 << 60, 1 << 60].map(|cos| sunglint_relative_illuminance_q30(cos, wide_sun)), [0, 1 << 60]);
+    assert_eq!([sunglint_irradiance_q16(1, -1, 1), sunglint_irradiance_q16(1, 1, 0)], [0; 2]);
+    assert_eq!(sunglint_irradiance_q16(u32::MAX, 1 << 14, 1), u32::MAX);
+    assert_eq!(sunglint_diffuse_radiance_q16(-1, u32::MAX), 0);
+    assert_eq!([sunglint_relative_to_peak_q16(0), sunglint_relative_to_peak_frequency_q16(0)], [0; 2]);
+    assert_eq!(sunglint_relative_to_peak_q16(1 << 16), 1 << 30);
+    let (green, dark) = (36_000, ColourQ30::default());
+    assert_eq!(sunglint_tint_q16(0, [green; 3].into()), dark);
+    assert_eq!(sunglint_tint_q16(1, [green, 0, green].into()), dark);
+    assert_eq!(sunglint_tint_q16(378_274, [green; 3].into()), [1 << 30; 3].into());
+}
+
+/// As IEEE 754 has it, and no more than that.
+#[test]
+fn floats_at_the_ends() {
+    let infinity = f32::INFINITY;
+    assert_eq!([0.0, -0.0, infinity].map(|x| sunglint_soft_reciprocal_root(x)), [infinity, -infinity, 0.0]);
+    assert!(sunglint_soft_reciprocal_root(-1.0).is_nan() && sunglint_soft_root(-1.0).is_nan());
+    assert_eq!([0.0, -0.0].map(|zero| sunglint_soft_root(zero).to_bits()), [0.0_f32, -0.0].map(f32::to_bits));
+    let (l, sun, zero) = (VectorF32::from([0.6, 0.0, 0.8]), SUN_Q30.into(), VectorF32::default());
+    for bad in [f32::NAN, 2.0, -infinity].map(|lane| VectorF32 { x: lane, ..l }) {
+        assert_eq!(sunglint_soft_cap(bad, l, sun), zero);
+        assert_eq!(sunglint_soft_cap(l, bad, sun), l);
+        assert_eq!([sunglint_soft_reflect(bad, l), sunglint_soft_reflect(l, bad)], [zero; 2]);
+    }
+    assert_eq!(sunglint_soft_cap(l, zero, sun), zero);
+    assert_eq!(sunglint_soft_normalize(zero), zero);
+    assert_eq!(sunglint_soft_normalize(VectorF32 { x: f32::NAN, ..l }), zero);
+}
+
+#[test]
 fn ratios_out_of_range_give_points() {
     for ratio in [-1, i32::MIN, (1 << 30) + 1, i32::MAX] {
         let (made, wide) = (sunglint_sphere_q14(ratio), sunglint_sphere_q30(ratio));
