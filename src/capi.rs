@@ -1,5 +1,5 @@
-//! The functions of [`raw`](crate::raw) for C and other languages: raw bits and plain structs by value, no allocation, no
-//! `errno`, nothing that panics. The header is `src/capi/sunglint.h`, made of this module's documentation by
+//! The functions of [`raw`](crate::raw) for C and other languages: raw bits and plain structs by value, no allocation,
+//! no `errno`, nothing that panics. The header is `src/capi/sunglint.h`, made of this module's documentation by
 //! `tests/embedding/tests/header.rs`.
 //!
 //! Constructors return what they made beside a [`Status`]. Vectors are Q14 (16384 is 1) or Q30 (1073741824 is 1), of

@@ -3,8 +3,9 @@
 use super::{ColourQ16, ColourQ30};
 use crate::raw;
 
-/// Planck's law by wavelength over its peak, `y^-5 expm1(a) / expm1(a / y)` with `a = 4.965114`: of a wavelength `ratio`
-/// times the peak's, in Q16 (the peak is at 2.8978 micrometres times kilokelvins); the answer in Q30, from 0 to 1.
+/// Planck's law by wavelength over its peak, `y^-5 expm1(a) / expm1(a / y)` with `a = 4.965114`: of a wavelength
+/// `ratio` times the peak's, in Q16 (the peak is at 2.8978 micrometres times kilokelvins); the answer in Q30, from 0 to
+/// 1.
 ///
 /// Within 4 units of the last place. Zero for a ratio of 0.
 #[unsafe(no_mangle)]

@@ -70,7 +70,8 @@ pub extern "C" fn sunglint_factored_q30(l: VectorQ30, r: VectorQ30, light: Spher
 }
 
 /// The mirror ray `2 (n.v) n - v` of the unit direction `v` from the surface to the camera, about the unit normal `n`,
-/// in Q14. Each lane is within half a step. Shading languages' `reflect(i, n)` takes the direction to the surface, `-v`.
+/// in Q14. Each lane is within half a step. Shading languages' `reflect(i, n)` takes the direction to the surface,
+/// `-v`.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_reflect_q14(n: VectorQ14, v: VectorQ14) -> VectorQ14 {
     raw::reflect_q14(n.into(), v.into()).into()

@@ -1,9 +1,10 @@
-//! What C holds and passes but does not look into: the Rust types themselves, which the header declares as so many words.
+//! What C holds and passes but does not look into: the Rust types themselves, which the header declares as so many
+//! words.
 //!
-//! Sound though C's fields are others: sizes and alignments are the same, asserted here for every target. Cones and pixels
-//! are passed by pointer; as answers, by themselves or beside a status, they go into memory that the caller provides, as
-//! every C ABI has it of structs of integers larger than 16 bytes (arm: 4, riscv32: 8, wasm32: more than one number),
-//! whatever the integers.
+//! Sound though C's fields are others: sizes and alignments are the same, asserted here for every target. Cones and
+//! pixels are passed by pointer; as answers, by themselves or beside a status, they go into memory that the caller
+//! provides, as every C ABI has it of structs of integers larger than 16 bytes (arm: 4, riscv32: 8, wasm32: more than
+//! one number), whatever the integers.
 
 use core::ffi::c_void;
 

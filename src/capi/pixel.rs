@@ -27,8 +27,8 @@ pub extern "C" fn sunglint_pixel_q14(
 }
 
 /// Radiance in red, green and blue, in Q16 and the illuminance's unit, that a surface of the unit normal `n` sends
-/// towards the unit direction `v` to the camera, both in Q14: Lambert's law, and GGX averaged over the light's disc with
-/// Smith's shadowing and Schlick's reflectance.
+/// towards the unit direction `v` to the camera, both in Q14: Lambert's law, and GGX averaged over the light's disc
+/// with Smith's shadowing and Schlick's reflectance.
 ///
 /// Within 6e-5 of the diffuse part, 6e-4 of the highlight (root mean square 4e-5) times the formula's condition, which
 /// is 2 away from the disc's image and grows at the rim of a sharp one and near the horizon, 2e-5 of what the highlight

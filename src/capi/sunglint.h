@@ -312,7 +312,8 @@ sunglint_vector_q30_t sunglint_factored_q30(sunglint_vector_q30_t l,
 
 /**
  * The mirror ray `2 (n.v) n - v` of the unit direction `v` from the surface to the camera, about the unit normal `n`,
- * in Q14. Each lane is within half a step. Shading languages' `reflect(i, n)` takes the direction to the surface, `-v`.
+ * in Q14. Each lane is within half a step. Shading languages' `reflect(i, n)` takes the direction to the surface,
+ * `-v`.
  */
 sunglint_vector_q14_t sunglint_reflect_q14(sunglint_vector_q14_t n, sunglint_vector_q14_t v);
 
@@ -543,8 +544,9 @@ uint32_t sunglint_diffuse_radiance_q16(int16_t albedo, uint32_t irradiance);
 sunglint_radiance_q16_made_t sunglint_area_radiance_q16(uint32_t power, uint32_t area, uint32_t solid_angle);
 
 /**
- * Planck's law by wavelength over its peak, `y^-5 expm1(a) / expm1(a / y)` with `a = 4.965114`: of a wavelength `ratio`
- * times the peak's, in Q16 (the peak is at 2.8978 micrometres times kilokelvins); the answer in Q30, from 0 to 1.
+ * Planck's law by wavelength over its peak, `y^-5 expm1(a) / expm1(a / y)` with `a = 4.965114`: of a wavelength
+ * `ratio` times the peak's, in Q16 (the peak is at 2.8978 micrometres times kilokelvins); the answer in Q30, from 0 to
+ * 1.
  *
  * Within 4 units of the last place. Zero for a ratio of 0.
  */
@@ -582,8 +584,8 @@ sunglint_pixel_q14_made_t sunglint_pixel_q14(sunglint_vector_q14_t direction,
 
 /**
  * Radiance in red, green and blue, in Q16 and the illuminance's unit, that a surface of the unit normal `n` sends
- * towards the unit direction `v` to the camera, both in Q14: Lambert's law, and GGX averaged over the light's disc with
- * Smith's shadowing and Schlick's reflectance.
+ * towards the unit direction `v` to the camera, both in Q14: Lambert's law, and GGX averaged over the light's disc
+ * with Smith's shadowing and Schlick's reflectance.
  *
  * Within 6e-5 of the diffuse part, 6e-4 of the highlight (root mean square 4e-5) times the formula's condition, which
  * is 2 away from the disc's image and grows at the rim of a sharp one and near the horizon, 2e-5 of what the highlight

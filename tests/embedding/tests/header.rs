@@ -90,9 +90,13 @@ fn suns() -> String {
     let q14 = [narrow.sin(), narrow.sin_square(), narrow.cos(), narrow.versine()].map(|bits| bits.to_string());
     let q30 = [wide.sin(), wide.sin_square(), wide.cos(), wide.versine()].map(|bits| format!("INT64_C({bits})"));
     format!(
-        "\n/**\n * The Sun from Earth, for a constant in flash: `static const sunglint_sphere_q14_t sun = SUNGLINT_SUN_Q14;`\n \
-         */\n#define SUNGLINT_SUN_Q14 {{{}}}\n\n/**\n * The Sun from Earth for Q30 vectors.\n */\n#define SUNGLINT_SUN_Q30 \
-         \\\n    {{{}}}",
+        "
+/** The Sun from Earth, for a constant in flash: `static const sunglint_sphere_q14_t sun = SUNGLINT_SUN_Q14;` */
+#define SUNGLINT_SUN_Q14 {{{}}}
+
+/** The Sun from Earth for Q30 vectors. */
+#define SUNGLINT_SUN_Q30 \\
+    {{{}}}",
         q14.join(", "),
         q30.join(", ")
     )
