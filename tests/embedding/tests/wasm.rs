@@ -1,0 +1,392 @@
+//! sunglint in WebAssembly, under the interpreter wasmi and under node: the README's module `glint`, whose functions take
+//! and give scalars, and the functions of C, which take and give structs in memory. Both give the bits that Rust gives.
+
+use std::process::Command;
+use std::sync::OnceLock;
+
+use embedding::hashes::{CASES, Hash, Source, directions_q14};
+use embedding::tools;
+use sunglint::capi::SphereQ14;
+use sunglint::raw::SUN_Q14;
+use wasmi::{CompilationMode, Config, Engine, Error, Instance, Memory, Module, Store, WasmParams, WasmResults};
+
+/// The README's command for `glint`.
+const BUILD_GLINT: &str = r#"cargo rustc --release --crate-type cdylib --target wasm32-unknown-unknown \
+  --config profile.release.lto=true --config 'profile.release.opt-level="s"' --config profile.release.strip=true \
+  -- -C link-arg=-zstack-size=1024"#;
+
+/// The README's command for the functions of C.
+const BUILD_C_LAYER: &str = r#"cargo rustc --lib --crate-type cdylib --profile embedded --no-default-features --features capi \
+  --target wasm32-unknown-unknown -- --cfg freestanding -C link-arg=-zstack-size=8192"#;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+type Lanes = [i16; 3];
+
+/// Runs a command of the README in a folder of the project, and reads the module that it makes.
+fn built(command: &str, folder: &str, module: &str) -> Vec<u8> {
+    let target = format!("{ROOT}/target/embedding");
+    let status = Command::new("sh")
+        .args(["-c", command])
+        .current_dir(format!("{ROOT}/{folder}"))
+        .env("CARGO_TARGET_DIR", &target)
+        .status()
+        .expect("sh");
+    assert!(status.success(), "{command}");
+    let file = path(module);
+    std::fs::read(&file).expect(&file)
+}
+
+fn path(module: &str) -> String {
+    format!("{ROOT}/target/embedding/wasm32-unknown-unknown/{module}")
+}
+
+const GLINT: &str = "release/glint.wasm";
+const C_LAYER: &str = "embedded/sunglint.wasm";
+
+fn glint() -> &'static [u8] {
+    static MODULE: OnceLock<Vec<u8>> = OnceLock::new();
+    MODULE.get_or_init(|| built(BUILD_GLINT, "tests/wasm", GLINT))
+}
+
+fn c_layer() -> &'static [u8] {
+    static MODULE: OnceLock<Vec<u8>> = OnceLock::new();
+    MODULE.get_or_init(|| built(BUILD_C_LAYER, ".", C_LAYER))
+}
+
+/// A module under wasmi, with fuel.
+struct Host {
+    store: Store<()>,
+    instance: Instance,
+}
+
+impl Host {
+    fn new(wasm: &[u8]) -> Self {
+        let mut config = Config::default();
+        // Else the first call pays for being translated.
+        config.consume_fuel(true).compilation_mode(CompilationMode::Eager);
+        let engine = Engine::new(&config);
+        let module = Module::new(&engine, wasm).expect("a module");
+        let mut store = Store::new(&engine, ());
+        store.set_fuel(u64::MAX).expect("fuel is on");
+        let instance = Instance::new(&mut store, &module, &[]).expect("nothing to import");
+        Self { store, instance }
+    }
+
+    fn call<P: WasmParams, R: WasmResults>(&mut self, name: &str, given: P) -> R {
+        let function = self.instance.get_typed_func::<P, R>(&self.store, name).expect(name);
+        function.call(&mut self.store, given).expect(name)
+    }
+
+    fn fuel(&self) -> u64 {
+        self.store.get_fuel().expect("fuel is on")
+    }
+
+    fn memory(&self) -> Memory {
+        self.instance.get_memory(&self.store, "memory").expect("memory")
+    }
+
+    fn heap_base(&self) -> usize {
+        let global = self.instance.get_global(&self.store, "__heap_base").expect("__heap_base");
+        global.get(&self.store).i32().expect("an address") as usize
+    }
+}
+
+/// What `directions_q14` calls.
+trait Directions {
+    fn normalize(&mut self, v: Lanes) -> Lanes;
+    fn reflect(&mut self, n: Lanes, v: Lanes) -> Lanes;
+    fn cap(&mut self, l: Lanes, r: Lanes) -> Lanes;
+}
+
+/// The module `glint`.
+struct Scalars(Host);
+
+fn packed([x, y, z]: Lanes) -> i64 {
+    i64::from(x as u16) | i64::from(y as u16) << 16 | i64::from(z as u16) << 32
+}
+
+fn lanes(v: i64) -> Lanes {
+    assert_eq!(v >> 48, 0, "three lanes leave the upper bits free");
+    [v as i16, (v >> 16) as i16, (v >> 32) as i16]
+}
+
+impl Directions for Scalars {
+    fn normalize(&mut self, v: Lanes) -> Lanes {
+        lanes(self.0.call("normalize_q14", packed(v)))
+    }
+
+    fn reflect(&mut self, n: Lanes, v: Lanes) -> Lanes {
+        lanes(self.0.call("reflect_q14", (packed(n), packed(v))))
+    }
+
+    fn cap(&mut self, l: Lanes, r: Lanes) -> Lanes {
+        lanes(self.0.call("cap_q14", (packed(l), packed(r))))
+    }
+}
+
+/// The functions of C. A struct is passed as its address, and a function that returns one is given, first, the address to
+/// write it to. Memory from `__heap_base` on is the host's: here a result, two vectors and a light.
+struct Structs {
+    host: Host,
+    result: i32,
+}
+
+impl Structs {
+    fn new(wasm: &[u8], light: SphereQ14) -> Self {
+        let host = Host::new(wasm);
+        let result = host.heap_base() as i32;
+        let mut structs = Self { host, result };
+        let constants = [light.sin, light.sin_square, light.cos, light.versine];
+        structs.write(structs.light(), constants.map(i32::to_le_bytes).as_flattened());
+        structs
+    }
+
+    fn first(&self) -> i32 {
+        self.result + 8
+    }
+
+    fn second(&self) -> i32 {
+        self.result + 16
+    }
+
+    fn light(&self) -> i32 {
+        self.result + 24
+    }
+
+    fn write(&mut self, address: i32, bytes: &[u8]) {
+        self.host.memory().write(&mut self.host.store, address as usize, bytes).expect("room for it");
+    }
+
+    fn write_lanes(&mut self, address: i32, lanes: Lanes) {
+        self.write(address, lanes.map(i16::to_le_bytes).as_flattened());
+    }
+
+    fn read<const N: usize>(&self, address: i32) -> [u8; N] {
+        let mut bytes = [0; N];
+        self.host.memory().read(&self.host.store, address as usize, &mut bytes).expect("what was written");
+        bytes
+    }
+
+    fn result_lanes(&self) -> Lanes {
+        let [a, b, c, d, e, f] = self.read(self.result);
+        [[a, b], [c, d], [e, f]].map(i16::from_le_bytes)
+    }
+}
+
+impl Directions for Structs {
+    fn normalize(&mut self, v: Lanes) -> Lanes {
+        self.write_lanes(self.first(), v);
+        self.host.call::<_, ()>("sunglint_normalize_q14", (self.result, self.first()));
+        self.result_lanes()
+    }
+
+    fn reflect(&mut self, n: Lanes, v: Lanes) -> Lanes {
+        self.write_lanes(self.first(), n);
+        self.write_lanes(self.second(), v);
+        self.host.call::<_, ()>("sunglint_reflect_q14", (self.result, self.first(), self.second()));
+        self.result_lanes()
+    }
+
+    fn cap(&mut self, l: Lanes, r: Lanes) -> Lanes {
+        self.write_lanes(self.first(), l);
+        self.write_lanes(self.second(), r);
+        let given = (self.result, self.first(), self.second(), self.light());
+        self.host.call::<_, ()>("sunglint_cap_q14", given);
+        self.result_lanes()
+    }
+}
+
+fn hash(directions: &mut dyn Directions) -> u32 {
+    let (mut source, mut hash) = (Source::new(), Hash::new());
+    for _ in 0..CASES {
+        let [n, v, l] = [0; 3].map(|_: u8| directions.normalize(source.lanes_q14()));
+        let r = directions.reflect(n, v);
+        [n, v, l, r, directions.cap(l, r)].into_iter().for_each(|lanes| hash.add_q14(lanes));
+    }
+    hash.0
+}
+
+/// The hash that `wasm/hash.mjs` prints.
+fn hash_under_node(module: &str, light: &[i32]) -> u32 {
+    let output = Command::new("node")
+        .args([concat!(env!("CARGO_MANIFEST_DIR"), "/wasm/hash.mjs"), module])
+        .args(light.iter().map(i32::to_string))
+        .output()
+        .expect("node");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let printed = String::from_utf8(output.stdout).expect("a number");
+    u32::from_str_radix(printed.trim(), 16).expect("a number")
+}
+
+/// `glint` with one entry of the table of roots, at the end of its data, off by a unit.
+fn planted() -> Vec<u8> {
+    let mut wasm = glint().to_vec();
+    *wasm.last_mut().expect("data") ^= 1;
+    wasm
+}
+
+#[test]
+fn the_same_bits_under_wasmi() {
+    assert_eq!(hash(&mut Scalars(Host::new(glint()))), directions_q14());
+    assert_eq!(hash(&mut Structs::new(c_layer(), SUN_Q14.into())), directions_q14());
+}
+
+#[test]
+fn a_planted_difference_is_found_under_wasmi() {
+    const POINT: SphereQ14 = SphereQ14 { sin: 0, sin_square: 0, cos: 1 << 28, versine: 0 };
+    assert_ne!(hash(&mut Scalars(Host::new(&planted()))), directions_q14());
+    assert_ne!(hash(&mut Structs::new(c_layer(), POINT)), directions_q14());
+}
+
+#[test]
+fn the_same_bits_under_node_and_a_planted_difference_is_found() {
+    if !tools::found("node", "apt-get install -y nodejs") {
+        return;
+    }
+    (glint(), c_layer());
+    let SphereQ14 { sin, sin_square, cos, versine } = SUN_Q14.into();
+    assert_eq!(hash_under_node(&path(GLINT), &[]), directions_q14());
+    assert_eq!(hash_under_node(&path(C_LAYER), &[sin, sin_square, cos, versine]), directions_q14());
+
+    let file = path("release/planted.wasm");
+    std::fs::write(&file, planted()).expect(&file);
+    assert_ne!(hash_under_node(&file, &[]), directions_q14());
+    assert_ne!(hash_under_node(&path(C_LAYER), &[0, 0, 1 << 28, 0]), directions_q14());
+}
+
+/// A struct with a status in it, and one passed back in.
+#[test]
+fn a_light_is_made_in_the_module() {
+    const SUN_RATIO: i32 = 4_994_522;
+    let made = sunglint::raw::sphere_q14(SUN_RATIO).expect("below 1").into();
+    let SphereQ14 { sin, sin_square, cos, versine } = made;
+    let mut structs = Structs::new(c_layer(), SUN_Q14.into());
+    structs.host.call::<_, ()>("sunglint_sphere_q14", (structs.result, SUN_RATIO));
+    let expected = [0, sin, sin_square, cos, versine].map(i32::to_le_bytes);
+    assert_eq!(structs.read::<20>(structs.result), expected.as_flattened());
+    structs.host.call::<_, ()>("sunglint_sphere_q14", (structs.result, -1));
+    assert_eq!(structs.read::<4>(structs.result), [1, 0, 0, 0], "SUNGLINT_RATIO");
+}
+
+/// The glint of the README's first example.
+#[test]
+fn full_on_the_disc_and_nothing_far_from_it() {
+    let mut host = Host::new(glint());
+    let mut brightness = |l: Lanes| -> i32 {
+        let up = packed([0, 0, 16384]);
+        host.call("glint_q14", (up, up, packed(l)))
+    };
+    assert_eq!(brightness([76, 0, 16384]), 255);
+    assert_eq!(brightness([8192, 0, 14189]), 0);
+    // Half a degree outside.
+    assert!((64..192).contains(&brightness([76 + 200, 0, 16382])));
+}
+
+/// The module as an interpreter has it that knows WebAssembly 1.0, signs of bytes and halves, and no floats.
+fn on_a_plain_interpreter(wasm: &[u8]) -> Result<(Engine, Module), Error> {
+    let mut config = Config::default();
+    config
+        .floats(false)
+        .wasm_mutable_global(false)
+        .wasm_multi_value(false)
+        .wasm_bulk_memory(false)
+        .wasm_reference_types(false)
+        .wasm_tail_call(false)
+        .wasm_extended_const(false)
+        .wasm_saturating_float_to_int(false)
+        .wasm_multi_memory(false);
+    let engine = Engine::new(&config);
+    let module = Module::new(&engine, wasm)?;
+    Ok((engine, module))
+}
+
+#[test]
+fn the_module_asks_for_nothing() {
+    let (_engine, module) = on_a_plain_interpreter(glint()).expect("no float, nothing beyond 1.0 but signs");
+    assert_eq!(module.imports().count(), 0);
+    let mut exports: Vec<_> = module.exports().map(|export| export.name().to_owned()).collect();
+    exports.sort_unstable();
+    let expected = ["__data_end", "__heap_base", "cap_q14", "glint_q14", "memory", "normalize_q14", "reflect_q14"];
+    assert_eq!(exports, expected);
+    let memory = module.get_export("memory").expect("memory");
+    assert_eq!(memory.memory().expect("memory").minimum(), 1, "one page");
+    // Soft floats in the functions of C are f32 at their border.
+    assert!(on_a_plain_interpreter(c_layer()).is_err());
+}
+
+/// What of the README is about WebAssembly.
+fn section() -> String {
+    let readme = std::fs::read_to_string(format!("{ROOT}/README.md")).expect("README.md");
+    let from_it = readme.lines().skip_while(|line| !line.ends_with("# WebAssembly"));
+    let section: Vec<_> = from_it.enumerate().take_while(|(i, line)| *i == 0 || !line.starts_with('#')).collect();
+    assert!(!section.is_empty(), "README.md has no section WebAssembly");
+    section.into_iter().map(|(_, line)| format!("{line}\n")).collect()
+}
+
+/// The section's number before `unit`.
+fn stated(unit: &str) -> f64 {
+    let section = section();
+    let (before, _) = section.split_once(unit).unwrap_or_else(|| panic!("the README does not say how many{unit}"));
+    let number: String = before.chars().rev().take_while(|c| c.is_ascii_digit() || *c == ' ').collect();
+    number.chars().rev().filter(char::is_ascii_digit).collect::<String>().parse().expect("a number")
+}
+
+/// Asserts that the README's number before `unit` is `actual`, give or take what compilers differ by.
+fn assert_stated(actual: u64, unit: &str) {
+    let (actual, stated) = (actual as f64, stated(unit));
+    assert!((actual / stated - 1.0).abs() < 0.02, "the README states {stated}{unit}, which are {actual}");
+}
+
+#[test]
+fn the_readme_has_this_module_and_these_commands() {
+    let source = std::fs::read_to_string(format!("{ROOT}/tests/wasm/src/lib.rs")).expect("lib.rs");
+    assert!(section().contains(&format!("`src/lib.rs`:\n\n```rust,ignore\n{source}```\n")));
+    assert!(section().contains(BUILD_GLINT));
+    assert!(section().contains(BUILD_C_LAYER));
+}
+
+#[test]
+fn sizes_are_as_the_readme_states() {
+    let bytes = glint().len() as u64;
+    assert!((1024..4096).contains(&bytes), "{bytes} bytes");
+    assert_stated(bytes, " bytes of module");
+    assert_stated(Host::new(glint()).heap_base() as u64, " bytes of memory");
+    assert_stated(c_layer().len() as u64 / 1000, " KB of module");
+}
+
+#[test]
+fn fuel_is_as_the_readme_states() {
+    let mut host = Scalars(Host::new(glint()));
+    let mut most = [0; 4];
+    let mut source = Source::new();
+    for _ in 0..CASES {
+        let [n, v, l] = [0; 3].map(|_: u8| host.normalize(source.lanes_q14()));
+        let r = host.reflect(n, v);
+        let calls: [&dyn Fn(&mut Scalars); 4] =
+            [&|host| _ = host.normalize(v), &|host| _ = host.reflect(n, v), &|host| _ = host.cap(l, r), &|host| {
+                _ = host.0.call::<_, i32>("glint_q14", (packed(n), packed(v), packed(l)))
+            }];
+        for (call, most) in calls.into_iter().zip(&mut most) {
+            let before = host.0.fuel();
+            call(&mut host);
+            *most = before.saturating_sub(host.0.fuel()).max(*most);
+        }
+    }
+    for (fuel, function) in most.into_iter().zip(["normalize_q14", "reflect_q14", "cap_q14", "glint_q14"]) {
+        assert_stated(fuel, &format!(" for `{function}`"));
+    }
+}
+
+/// Beyond the stack an address would be below 0, which traps.
+#[test]
+fn the_stack_is_large_enough() {
+    const STACK: usize = 1024;
+    let mut host = Scalars(Host::new(glint()));
+    let memory = host.0.memory();
+    memory.data_mut(&mut host.0.store)[..STACK].fill(0xa5);
+    hash(&mut host);
+    let untouched = memory.data(&host.0.store).iter().take_while(|&&byte| byte == 0xa5).count();
+    assert!((1..=STACK / 4).contains(&(STACK - untouched)), "{} bytes of stack", STACK - untouched);
+    assert_eq!(memory.size(&host.0.store), 1, "memory has grown");
+}
