@@ -14,7 +14,7 @@ const scalars = {
 };
 
 // Memory from __heap_base on is the host's: a result, two vectors and a light.
-const [result, first, second, sun] = [0, 8, 16, 24].map((offset) => (exports.__heap_base?.value ?? 0) + offset);
+const [result, first, second, sun] = [0, 8, 16, 24].map((offset) => exports.__heap_base.value + offset);
 const vector = (address) => new Int16Array(exports.memory.buffer, address, 3);
 const call = (name, vectors, ...more) => {
     vectors.forEach((v, i) => vector([first, second][i]).set(v));

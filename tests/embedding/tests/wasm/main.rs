@@ -1,211 +1,20 @@
 //! sunglint in WebAssembly, under the interpreter wasmi and under node: the README's module `glint`, whose functions take
 //! and give scalars, and the functions of C, which take and give structs in memory. Both give the bits that Rust gives.
 
-use std::process::Command;
-use std::sync::OnceLock;
+mod host;
 
-use embedding::hashes::{CASES, Hash, Source, directions_q14};
+use std::process::Command;
+
+use embedding::hashes::{CASES, Source, directions_q14};
 use embedding::tools;
 use sunglint::capi::SphereQ14;
-use sunglint::raw::SUN_Q14;
-use wasmi::{CompilationMode, Config, Engine, Error, Instance, Memory, Module, Store, WasmParams, WasmResults};
+use sunglint::raw::{self, SUN_Q14, SUN_Q30};
+use wasmi::{Config, Engine, Error, Module};
 
-/// The README's command for `glint`.
-const BUILD_GLINT: &str = r#"cargo rustc --release --crate-type cdylib --target wasm32-unknown-unknown \
-  --config profile.release.lto=true --config 'profile.release.opt-level="s"' --config profile.release.strip=true \
-  -- -C link-arg=-zstack-size=1024"#;
-
-/// The README's command for the functions of C, of which this end is in the section on WebAssembly.
-const BUILD_C_LAYER: &str = r#"cargo rustc --lib --profile embedded --no-default-features --features capi \
-  --crate-type cdylib --target wasm32-unknown-unknown -- --cfg freestanding -C link-arg=-zstack-size=8192"#;
-
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-
-type Lanes = [i16; 3];
-
-/// Runs a command of the README in a folder of the project, and reads the module that it makes.
-fn built(command: &str, folder: &str, module: &str) -> Vec<u8> {
-    let target = format!("{ROOT}/target/embedding");
-    let status = Command::new("sh")
-        .args(["-c", command])
-        .current_dir(format!("{ROOT}/{folder}"))
-        .env("CARGO_TARGET_DIR", &target)
-        .status()
-        .expect("sh");
-    assert!(status.success(), "{command}");
-    let file = path(module);
-    std::fs::read(&file).expect(&file)
-}
-
-fn path(module: &str) -> String {
-    format!("{ROOT}/target/embedding/wasm32-unknown-unknown/{module}")
-}
-
-const GLINT: &str = "release/glint.wasm";
-const C_LAYER: &str = "embedded/sunglint.wasm";
-
-fn glint() -> &'static [u8] {
-    static MODULE: OnceLock<Vec<u8>> = OnceLock::new();
-    MODULE.get_or_init(|| built(BUILD_GLINT, "tests/wasm", GLINT))
-}
-
-fn c_layer() -> &'static [u8] {
-    static MODULE: OnceLock<Vec<u8>> = OnceLock::new();
-    MODULE.get_or_init(|| built(BUILD_C_LAYER, ".", C_LAYER))
-}
-
-/// A module under wasmi, with fuel.
-struct Host {
-    store: Store<()>,
-    instance: Instance,
-}
-
-impl Host {
-    fn new(wasm: &[u8]) -> Self {
-        let mut config = Config::default();
-        // Else the first call pays for being translated.
-        config.consume_fuel(true).compilation_mode(CompilationMode::Eager);
-        let engine = Engine::new(&config);
-        let module = Module::new(&engine, wasm).expect("a module");
-        let mut store = Store::new(&engine, ());
-        store.set_fuel(u64::MAX).expect("fuel is on");
-        let instance = Instance::new(&mut store, &module, &[]).expect("nothing to import");
-        Self { store, instance }
-    }
-
-    fn call<P: WasmParams, R: WasmResults>(&mut self, name: &str, given: P) -> R {
-        let function = self.instance.get_typed_func::<P, R>(&self.store, name).expect(name);
-        function.call(&mut self.store, given).expect(name)
-    }
-
-    fn fuel(&self) -> u64 {
-        self.store.get_fuel().expect("fuel is on")
-    }
-
-    fn memory(&self) -> Memory {
-        self.instance.get_memory(&self.store, "memory").expect("memory")
-    }
-
-    fn heap_base(&self) -> usize {
-        let global = self.instance.get_global(&self.store, "__heap_base").expect("__heap_base");
-        global.get(&self.store).i32().expect("an address") as usize
-    }
-}
-
-/// What `directions_q14` calls.
-trait Directions {
-    fn normalize(&mut self, v: Lanes) -> Lanes;
-    fn reflect(&mut self, n: Lanes, v: Lanes) -> Lanes;
-    fn cap(&mut self, l: Lanes, r: Lanes) -> Lanes;
-}
-
-/// The module `glint`.
-struct Scalars(Host);
-
-fn packed([x, y, z]: Lanes) -> i64 {
-    i64::from(x as u16) | i64::from(y as u16) << 16 | i64::from(z as u16) << 32
-}
-
-fn lanes(v: i64) -> Lanes {
-    assert_eq!(v >> 48, 0, "three lanes leave the upper bits free");
-    [v as i16, (v >> 16) as i16, (v >> 32) as i16]
-}
-
-impl Directions for Scalars {
-    fn normalize(&mut self, v: Lanes) -> Lanes {
-        lanes(self.0.call("normalize_q14", packed(v)))
-    }
-
-    fn reflect(&mut self, n: Lanes, v: Lanes) -> Lanes {
-        lanes(self.0.call("reflect_q14", (packed(n), packed(v))))
-    }
-
-    fn cap(&mut self, l: Lanes, r: Lanes) -> Lanes {
-        lanes(self.0.call("cap_q14", (packed(l), packed(r))))
-    }
-}
-
-/// The functions of C. A struct is passed as its address, and a function that returns one is given, first, the address to
-/// write it to. Memory from `__heap_base` on is the host's: here a result, two vectors and a light.
-struct Structs {
-    host: Host,
-    result: i32,
-}
-
-impl Structs {
-    fn new(wasm: &[u8], light: SphereQ14) -> Self {
-        let host = Host::new(wasm);
-        let result = host.heap_base() as i32;
-        let mut structs = Self { host, result };
-        let constants = [light.sin, light.sin_square, light.cos, light.versine];
-        structs.write(structs.light(), constants.map(i32::to_le_bytes).as_flattened());
-        structs
-    }
-
-    fn first(&self) -> i32 {
-        self.result + 8
-    }
-
-    fn second(&self) -> i32 {
-        self.result + 16
-    }
-
-    fn light(&self) -> i32 {
-        self.result + 24
-    }
-
-    fn write(&mut self, address: i32, bytes: &[u8]) {
-        self.host.memory().write(&mut self.host.store, address as usize, bytes).expect("room for it");
-    }
-
-    fn write_lanes(&mut self, address: i32, lanes: Lanes) {
-        self.write(address, lanes.map(i16::to_le_bytes).as_flattened());
-    }
-
-    fn read<const N: usize>(&self, address: i32) -> [u8; N] {
-        let mut bytes = [0; N];
-        self.host.memory().read(&self.host.store, address as usize, &mut bytes).expect("what was written");
-        bytes
-    }
-
-    fn result_lanes(&self) -> Lanes {
-        let [a, b, c, d, e, f] = self.read(self.result);
-        [[a, b], [c, d], [e, f]].map(i16::from_le_bytes)
-    }
-}
-
-impl Directions for Structs {
-    fn normalize(&mut self, v: Lanes) -> Lanes {
-        self.write_lanes(self.first(), v);
-        self.host.call::<_, ()>("sunglint_normalize_q14", (self.result, self.first()));
-        self.result_lanes()
-    }
-
-    fn reflect(&mut self, n: Lanes, v: Lanes) -> Lanes {
-        self.write_lanes(self.first(), n);
-        self.write_lanes(self.second(), v);
-        self.host.call::<_, ()>("sunglint_reflect_q14", (self.result, self.first(), self.second()));
-        self.result_lanes()
-    }
-
-    fn cap(&mut self, l: Lanes, r: Lanes) -> Lanes {
-        self.write_lanes(self.first(), l);
-        self.write_lanes(self.second(), r);
-        let given = (self.result, self.first(), self.second(), self.light());
-        self.host.call::<_, ()>("sunglint_cap_q14", given);
-        self.result_lanes()
-    }
-}
-
-fn hash(directions: &mut dyn Directions) -> u32 {
-    let (mut source, mut hash) = (Source::new(), Hash::new());
-    for _ in 0..CASES {
-        let [n, v, l] = [0; 3].map(|_: u8| directions.normalize(source.lanes_q14()));
-        let r = directions.reflect(n, v);
-        [n, v, l, r, directions.cap(l, r)].into_iter().for_each(|lanes| hash.add_q14(lanes));
-    }
-    hash.0
-}
+use self::host::{
+    BUILD_C_LAYER, BUILD_GLINT, C_LAYER, Directions, GLINT, Host, Lanes, ROOT, Scalars, Structs, c_layer, glint, hash,
+    packed, path,
+};
 
 /// The hash that `wasm/hash.mjs` prints.
 fn hash_under_node(module: &str, light: &[i32]) -> u32 {
@@ -256,18 +65,40 @@ fn the_same_bits_under_node_and_a_planted_difference_is_found() {
     assert_ne!(hash_under_node(&path(C_LAYER), &[0, 0, 1 << 28, 0]), directions_q14());
 }
 
-/// A struct with a status in it, and one passed back in.
+/// A struct with a status in it.
 #[test]
 fn a_light_is_made_in_the_module() {
     const SUN_RATIO: i32 = 4_994_522;
-    let made = sunglint::raw::sphere_q14(SUN_RATIO).expect("below 1").into();
-    let SphereQ14 { sin, sin_square, cos, versine } = made;
+    let SphereQ14 { sin, sin_square, cos, versine } = raw::sphere_q14(SUN_RATIO).expect("below 1").into();
     let mut structs = Structs::new(c_layer(), SUN_Q14.into());
-    structs.host.call::<_, ()>("sunglint_sphere_q14", (structs.result, SUN_RATIO));
+    let result = structs.at(0);
+    structs.host.call::<_, ()>("sunglint_sphere_q14", (result, SUN_RATIO));
     let expected = [0, sin, sin_square, cos, versine].map(i32::to_le_bytes);
-    assert_eq!(structs.read::<20>(structs.result), expected.as_flattened());
-    structs.host.call::<_, ()>("sunglint_sphere_q14", (structs.result, -1));
-    assert_eq!(structs.read::<4>(structs.result), [1, 0, 0, 0], "SUNGLINT_RATIO");
+    assert_eq!(structs.read::<20>(0), expected.as_flattened());
+    structs.host.call::<_, ()>("sunglint_sphere_q14", (result, -1));
+    assert_eq!(structs.read::<4>(0), [1, 0, 0, 0], "the status of a ratio that is refused");
+}
+
+/// Structs of 64 bits, one that is opaque, one by pointer, and none.
+#[test]
+fn an_opaque_struct_stays_in_the_module() {
+    const L: [i32; 3] = [644_245_094, 0, 858_993_459];
+    let mut structs = Structs::new(c_layer(), SUN_Q14.into());
+    let sunglint::capi::SphereQ30 { sin, sin_square, cos, versine } = SUN_Q30.into();
+    structs.write(1, L.map(i32::to_le_bytes).as_flattened());
+    structs.write(2, [sin, sin_square, cos, versine].map(i64::to_le_bytes).as_flattened());
+    let [result, l, light, cone, point] = [0, 1, 2, 3, 4].map(|slot| structs.at(slot));
+    structs.host.call::<_, ()>("sunglint_cone_q30", (cone, l, light));
+    let expected = raw::cone_q30(L, &SUN_Q30);
+    for (index, square) in (0..64).zip(raw::points_q30(0, 64)) {
+        structs.host.call::<_, ()>("sunglint_point_q30", (point, index));
+        structs.host.call::<_, ()>("sunglint_cone_direction_q30", (result, cone, point));
+        let direction = raw::cone_direction_q30(&expected, square).map(i32::to_le_bytes);
+        assert_eq!(structs.read::<12>(0), direction.as_flattened());
+        assert_eq!(structs.host.call::<_, i32>("sunglint_cone_contains_q30", (cone, result)), 1);
+    }
+    structs.host.call::<_, ()>("sunglint_cone_direction_q30", (result, 0, point));
+    assert_eq!(structs.read::<12>(0), [0; 12], "NULL");
 }
 
 /// The glint of the README's first example.
