@@ -302,6 +302,20 @@ fn a_pixel_of_zeros_is_black() {
     }
 }
 
+/// As C makes one by `= {0}`.
+#[test]
+fn a_cone_of_zeros_has_directions_of_zero() {
+    // SAFETY: a cone is numbers of whole bits and one bool, for all of which zero is a value.
+    let (cone, wide): (ConeQ14, ConeQ30) = unsafe { std::mem::zeroed() };
+    let mut source = Source::new(10);
+    for _ in 0..CASES {
+        let point = PointQ14 { z: source.bits() as i16, turn: source.bits() as i16 };
+        assert_eq!(sunglint_cone_direction_q14(Some(&cone), point), VectorQ14::default());
+        let point = PointQ30 { z: source.bits() as i32, turn: source.bits() as i32 };
+        assert_eq!(sunglint_cone_direction_q30(Some(&wide), point), VectorQ30::default());
+    }
+}
+
 /// C compilers hold the header to the same in `tests/embedding`.
 #[test]
 fn layouts_are_those_of_c() {

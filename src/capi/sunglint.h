@@ -6,11 +6,11 @@
  * Q16 (65536 is 1) or, where they are at most 1, Q30. Bounds of errors are against exact arithmetic on the same
  * arguments.
  *
- * Nothing allocates, keeps a state, sets errno or fails: any argument but a pointer to what is not there has the answer
- * that its function documents. What may be refused comes beside a status, SUNGLINT_OK being 0. All functions may be
- * called from threads and interrupts at once.
+ * Any argument has the answer that its function documents, NULL included; other pointers have to be valid. What may be
+ * refused comes beside a status, SUNGLINT_OK being 0. Nothing allocates, keeps a state, sets errno or calls the C
+ * library's mathematics; all functions may be called from threads and interrupts at once.
  *
- * Made from src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
+ * Made of src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
  */
 
 #ifndef SUNGLINT_H
@@ -120,16 +120,16 @@ typedef struct {
 } sunglint_vector_q30_t;
 
 /**
- * The directions to a light for Q14 vectors, as `sunglint_cone_q14` makes them; of no use to any other function if its
- * words are others.
+ * The directions to a light for Q14 vectors. Made by `sunglint_cone_q14` alone, whose words are not to be changed; all
+ * words zero has zero for its directions.
  */
 typedef struct {
     uint32_t opaque[19];
 } sunglint_cone_q14_t;
 
 /**
- * The directions to a light for Q30 vectors, as `sunglint_cone_q30` makes them; of no use to any other function if its
- * words are others.
+ * The directions to a light for Q30 vectors. Made by `sunglint_cone_q30` alone, whose words are not to be changed; all
+ * words zero has zero for its directions.
  */
 typedef struct {
     uint32_t opaque[24];
