@@ -91,7 +91,7 @@ pub fn factored<T: Real>(l: [T; 3], r: [T; 3], light: &DistantSphere<T>) -> [T; 
 /// use sunglint::half::f16;
 /// use sunglint::{DistantSphere, SUN, cap, disc};
 ///
-/// const SUN_F16: DistantSphere<f16> = DistantSphere::<half::f16>::new(&SUN);
+/// const SUN_F16: DistantSphere<f16> = DistantSphere::<f16>::new(&SUN);
 /// let [l, r] = [[0.0, 0.0, 1.0], [0.0186, 0.0, 0.999_83]].map(|v| v.map(f16::from_f64));
 /// // A ray four radii beside the Sun is taken to meet it, since f16 rounds both cosines to 1; `cap` knows.
 /// assert_eq!(disc(l, r, &SUN_F16), r);

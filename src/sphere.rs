@@ -10,7 +10,7 @@ use crate::real::{Float, Real};
 /// Q60 for I2F30 (to f64's 53 digits, unless made from a ratio in Q30), Q32 for I16F16. `tests/sphere.rs` asserts it.
 ///
 /// ```
-/// use fixed::types::I2F14;
+/// use sunglint::fixed::types::I2F14;
 /// use sunglint::{DistantSphere, SUN};
 ///
 /// // 16 bytes of flash, and no float arithmetic at run time.
