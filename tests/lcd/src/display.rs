@@ -1,4 +1,4 @@
-//! The display, as large as the smallest that are sold, and the turns that are drawn on it.
+//! A display as small ST7735 panels have it, and the turns that are drawn on it.
 
 use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
 use embedded_graphics::pixelcolor::Rgb565;

@@ -8,7 +8,7 @@ pub mod planet;
 
 #[cfg(test)]
 mod tests {
-    /// The core of embedded-graphics wants `az` below 1.3, and `fixed` wants that from 1.30 on: cargo takes 1.29 for both.
+    /// The core of embedded-graphics wants `az` below 1.3, `fixed` from 1.30 on wants 1.3: cargo takes `fixed` 1.29.
     #[test]
     fn one_fixed_serves_sunglint_and_embedded_graphics() {
         let lock = include_str!("../Cargo.lock");

@@ -1,4 +1,4 @@
-//! Prints what the ball costs, a line of CSV for each way: pixels of the ball that were counted, instructions of them in
+//! Prints what the ball costs, a line of CSV for each way: pixels of the ball that were counted, their instructions in
 //! the mean and at most, instructions of a frame, bytes of stack.
 #![no_std]
 #![no_main]
