@@ -24,12 +24,13 @@ pub fn colour(lit: &[PixelQ14; 4], [x, y]: [i32; 2], [cos, sin]: [i32; 2]) -> Rg
 }
 
 /// Draws the ball in the middle of any display, pixel by pixel and without a buffer; a day is 65536 of `turn`.
-pub fn draw<D: DrawTarget<Color = Rgb565>>(display: &mut D, lit: &[PixelQ14; 4], turn: i32) -> Result<(), D::Error> {
+pub fn draw<D: DrawTarget<Color = Rgb565>>(display: &mut D, lit: &[PixelQ14; 4], turn: u16) -> Result<(), D::Error> {
     let bounds = display.bounding_box();
     let size = bounds.size.width.min(bounds.size.height);
     let area = Rectangle::with_center(bounds.center(), Size::new_equal(size));
     let (step, middle) = (17_000 / size.max(1) as i32, Point::new_equal(size as i32 - 1));
-    let [cos, _, sin] = normalize_q14([wave(turn + 16_384) as i16, 0, wave(turn) as i16]).map(i32::from);
+    let [cos, sin] = [i32::from(turn) + 16_384, turn.into()].map(|turn| wave(turn) as i16);
+    let [cos, _, sin] = normalize_q14([cos, 0, sin]).map(i32::from);
     let colours = area.points().map(|point| {
         let Point { x, y } = (point - area.top_left) * 2 - middle;
         colour(lit, [x * step, -y * step], [cos, sin])

@@ -11,4 +11,4 @@ pub const SIDE: usize = 128;
 pub type Frame = Framebuffer<Rgb565, RawU16, LittleEndian, SIDE, SIDE, { buffer_size::<Rgb565>(SIDE, SIDE) }>;
 
 /// Quarters of a day, from an eighth of it on.
-pub const TURNS: [i32; 4] = [8192, 24_576, 40_960, 57_344];
+pub const TURNS: [u16; 4] = [8192, 24_576, 40_960, 57_344];

@@ -68,12 +68,13 @@ pub fn colour<L: Lit>(lit: &[L; 4], [x, y]: [f32; 2], [cos, sin]: [f32; 2]) -> R
 }
 
 /// [`ball::draw`](crate::ball::draw) in f32.
-pub fn draw<D: DrawTarget<Color = Rgb565>, L: Lit>(display: &mut D, lit: &[L; 4], turn: i32) -> Result<(), D::Error> {
+pub fn draw<D: DrawTarget<Color = Rgb565>, L: Lit>(display: &mut D, lit: &[L; 4], turn: u16) -> Result<(), D::Error> {
     let bounds = display.bounding_box();
     let size = bounds.size.width.min(bounds.size.height);
     let area = Rectangle::with_center(bounds.center(), Size::new_equal(size));
     let (step, middle) = ((17_000 / size.max(1) as i32) as f32 / 16_384.0, Point::new_equal(size as i32 - 1));
-    let [cos, _, sin] = normalize([wave(turn + 16_384) as f32, 0.0, wave(turn) as f32]);
+    let [cos, sin] = [i32::from(turn) + 16_384, turn.into()].map(|turn| wave(turn) as f32);
+    let [cos, _, sin] = normalize([cos, 0.0, sin]);
     let colours = area.points().map(|point| {
         let Point { x, y } = (point - area.top_left) * 2 - middle;
         colour(lit, [x as f32 * step, -y as f32 * step], [cos, sin])

@@ -69,7 +69,7 @@ fn in_f32<L: Lit>(counter: &Counter, frame: &RefCell<&'static mut Frame>, name: 
 
 /// Cosine and sine of the turn, not of unit length.
 fn turned() -> [i32; 3] {
-    [planet::wave(TURNS[0] + 16_384), 0, planet::wave(TURNS[0])]
+    [planet::wave(i32::from(TURNS[0]) + 16_384), 0, planet::wave(TURNS[0].into())]
 }
 
 /// Every fourth pixel of every fourth line that is on the ball, in half pixels from the middle.

@@ -17,11 +17,11 @@ const DATA: *mut u32 = 0x4002_0008 as *mut u32;
 
 #[entry]
 fn main() -> ! {
-    let mut turn = 0_i32;
+    let mut turn = 0_u16;
     if let Some(lit) = planet::lit() {
         loop {
             let Ok(()) = ball::draw(&mut Panel, &lit, turn);
-            turn = (turn + 256) & 0xffff;
+            turn = turn.wrapping_add(256);
         }
     }
     loop {
