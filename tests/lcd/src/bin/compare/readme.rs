@@ -45,6 +45,8 @@ fn its_table_is_what_was_counted() {
     assert!(section().contains(&sentence), "{sentence}");
     let flash = figures::value(FIGURES, "I2F14 PixelQ14", "M0+", "flash").unwrap();
     assert!(section().contains(&format!("{flash} bytes of flash")), "{flash}");
+    let pixels = figures::value(FIGURES, "I2F14 PixelQ14", "M0+", "pixels").unwrap();
+    assert!(section().contains(&format!("(the mean of {pixels})")), "{pixels}");
 }
 
 /// Millions, to the first digit after the point.
