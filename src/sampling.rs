@@ -29,6 +29,7 @@ use crate::vec3::{each, zip};
 /// assert!((cone.pdf().unwrap() * cone.solid_angle() - 1.0).abs() < 1e-7);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<T: Real> {
     l: [T; 3],
     basis: [[T; 3]; 2],

@@ -18,6 +18,7 @@ use crate::real::{Float, Real};
 /// assert_eq!(core::mem::size_of_val(&SUN_Q14), 16);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DistantSphere<T: Real> {
     pub(crate) sin: T::Wide,
     pub(crate) sin_square: T::Wide,
@@ -56,6 +57,18 @@ impl<T: Real> DistantSphere<T> {
     pub fn versine(&self) -> T::Wide {
         self.versine
     }
+
+    /// Sine, its square, cosine and versine, as they lie in a buffer: for shaders and flash images.
+    ///
+    /// ```
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// const UNIFORM: [f32; 4] = DistantSphere::<f32>::new(&SUN).to_array();
+    /// assert_eq!(UNIFORM[0], 0.004_650_467_3);
+    /// ```
+    pub const fn to_array(&self) -> [T::Wide; 4] {
+        [self.sin, self.sin_square, self.cos, self.versine]
+    }
 }
 
 impl<T: Float> DistantSphere<T> {
@@ -81,6 +94,7 @@ const fn least_cosine(light: &DistantLight) -> f64 {
 
 /// What [`epic`](crate::epic) needs of a light: radius and distance, not divided by each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnfactoredSphere<T: Real> {
     pub(crate) radius: T::Wide,
     pub(crate) radius_square: T::Wide,

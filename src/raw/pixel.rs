@@ -72,6 +72,7 @@ use crate::vec3::each;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PixelQ14 {
     direction: [i32; 3],
     light: SphereQ14,
