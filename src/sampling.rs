@@ -28,6 +28,7 @@ use crate::vec3::{each, zip};
 /// assert!(points(0, 16).all(|point| cone.contains(cone.direction(point))));
 /// assert!((cone.pdf().unwrap() * cone.solid_angle() - 1.0).abs() < 1e-7);
 /// ```
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<T: Real> {

@@ -17,6 +17,7 @@ use crate::real::{Float, Real};
 /// const SUN_Q14: DistantSphere<I2F14> = DistantSphere::<I2F14>::new(&SUN);
 /// assert_eq!(core::mem::size_of_val(&SUN_Q14), 16);
 /// ```
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DistantSphere<T: Real> {

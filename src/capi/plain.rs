@@ -26,6 +26,104 @@ pub struct VectorQ30 {
     pub z: i32,
 }
 
+/// A vector of floats.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VectorF32 {
+    /// First lane.
+    pub x: f32,
+    /// Second lane.
+    pub y: f32,
+    /// Third lane.
+    pub z: f32,
+}
+
+/// Levels in unsigned Q16: 65536 is 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ColourQ16 {
+    /// Red.
+    pub red: u32,
+    /// Green.
+    pub green: u32,
+    /// Blue.
+    pub blue: u32,
+}
+
+/// Levels in Q30: 1073741824 is 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ColourQ30 {
+    /// Red.
+    pub red: i32,
+    /// Green.
+    pub green: i32,
+    /// Blue.
+    pub blue: i32,
+}
+
+/// A glossy surface, in Q30: 1073741824 is 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MaterialQ30 {
+    /// Diffuse reflectance, each from 0 to 1.
+    pub albedo: ColourQ30,
+    /// The GGX width, perceptual roughness squared: 0 for a mirror, or from 5e-4 (536871) to 1.
+    pub alpha: i32,
+    /// Reflectance at normal incidence, each from 0 to 1; 0.02 to 0.05 for what is no metal.
+    pub f0: ColourQ30,
+}
+
+/// A point of the square of 0 to 1, in Q14: 16384 is 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PointQ14 {
+    /// How far from a disc's centre to its rim, by area.
+    pub z: i16,
+    /// Where around it.
+    pub turn: i16,
+}
+
+/// A point of the square of 0 to 1, in Q30: 1073741824 is 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PointQ30 {
+    /// How far from a disc's centre to its rim, by area.
+    pub z: i32,
+    /// Where around it.
+    pub turn: i32,
+}
+
+/// Two directions across a third, in Q14.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BasisQ14 {
+    /// The first.
+    pub t: VectorQ14,
+    /// The second.
+    pub b: VectorQ14,
+}
+
+/// Two directions across a third, in Q30.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BasisQ30 {
+    /// The first.
+    pub t: VectorQ30,
+    /// The second.
+    pub b: VectorQ30,
+}
+
+/// What a surface sees of a light, in Q30, each from 0 to 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SoftShadow {
+    /// Share of the disc that is above the surface and seen.
+    pub visible: i32,
+    /// Mean over the disc of the cosine to the normal, of what is hidden 0.
+    pub mean_cosine: i32,
+}
+
 /// A light's constants for Q14 vectors, each in Q28.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,6 +173,48 @@ impl From<[i32; 3]> for VectorQ30 {
 impl From<VectorQ30> for [i32; 3] {
     fn from(v: VectorQ30) -> Self {
         [v.x, v.y, v.z]
+    }
+}
+
+impl From<[f32; 3]> for VectorF32 {
+    fn from([x, y, z]: [f32; 3]) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl From<VectorF32> for [f32; 3] {
+    fn from(v: VectorF32) -> Self {
+        [v.x, v.y, v.z]
+    }
+}
+
+impl From<[u32; 3]> for ColourQ16 {
+    fn from([red, green, blue]: [u32; 3]) -> Self {
+        Self { red, green, blue }
+    }
+}
+
+impl From<ColourQ16> for [u32; 3] {
+    fn from(colour: ColourQ16) -> Self {
+        [colour.red, colour.green, colour.blue]
+    }
+}
+
+impl From<[i32; 3]> for ColourQ30 {
+    fn from([red, green, blue]: [i32; 3]) -> Self {
+        Self { red, green, blue }
+    }
+}
+
+impl From<ColourQ30> for [i32; 3] {
+    fn from(colour: ColourQ30) -> Self {
+        [colour.red, colour.green, colour.blue]
+    }
+}
+
+impl From<[i32; 2]> for SoftShadow {
+    fn from([visible, mean_cosine]: [i32; 2]) -> Self {
+        Self { visible, mean_cosine }
     }
 }
 

@@ -71,6 +71,7 @@ use crate::vec3::each;
 /// assert!((10_000..12_000).contains(&matt) && glint > 10 * matt);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PixelQ14 {
@@ -86,6 +87,17 @@ pub struct PixelQ14 {
 }
 
 impl PixelQ14 {
+    /// Black under all lights: all bits are zero.
+    pub const BLACK: Self = Self {
+        direction: [0; 3],
+        light: SphereQ14 { sin: 0, sin_square: 0, cos: 0, versine: 0 },
+        rim: 0,
+        alpha_square: 0,
+        alpha_shift: 0,
+        lobe: Lobe::DARK,
+        channels: [Colour::BLACK; 3],
+    };
+
     /// The constants of a light whose centre is in the unit `direction`, Q14, and that gives a surface which faces it
     /// `illuminance` in red, green and blue, Q16. Some thousand instructions in [`Scaled`] numbers, once a light.
     ///

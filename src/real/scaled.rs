@@ -21,6 +21,7 @@ use crate::root::fraction_of_reciprocal_root;
 /// Exponents have 32 bits. `MAX` is `2^(2^20)`, a thousand times the exponent of f64's greatest number; it takes
 /// eleven squarings of it in a row to leave the range, upon which exponents wrap. Numbers below `2^-(2^24)`, which no
 /// formula reaches, may count as zero in sums, and sums of them with zero need not be the number itself.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Scaled {
     /// Zero, or of a size from `2^30` to `2^31 - 1`.

@@ -5,6 +5,7 @@ use crate::real::{INVERSE_PI, Scalar, Scaled};
 use crate::vec3::each;
 
 /// What one channel needs.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Colour {
@@ -39,6 +40,10 @@ impl Gloss {
 }
 
 impl Colour {
+    /// Of a light that is out.
+    pub(super) const BLACK: Self =
+        Self { guard: 0, half: 0, matt: 0, matt_shift: 0, mirrored: 0, missing: 0, exponent: 0 };
+
     pub(super) fn of(illuminance: Scaled, albedo: Scaled, f0: Scaled) -> Self {
         let white = illuminance * Scaled::constant(INVERSE_PI);
         let [e, white, matt] = each([illuminance, white, white * albedo], Short::of);

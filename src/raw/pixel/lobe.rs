@@ -6,6 +6,7 @@ use crate::highlight::extent;
 use crate::real::{HALF, INVERSE_PI, Scalar, Scaled, positive};
 
 /// A roughness and a disc in units of the highlight's width `b`, `b^2 = alpha^2 + w/2`.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Lobe {
@@ -40,15 +41,20 @@ struct Signed {
 }
 
 impl Lobe {
+    /// No highlight.
+    pub(super) const DARK: Self = {
+        const ZERO: Short = Short { mantissa: 0, exponent: 0 };
+        Self { inverse: ZERO, rough: ZERO, disc: ZERO, outside: ZERO, inside: ZERO }
+    };
+
     pub(super) fn of(light: &SphereQ14, alpha: Scaled) -> Self {
-        const DARK: Short = Short { mantissa: 0, exponent: 0 };
         let [sin, versine] = extent(light);
         let one = Scaled::ONE;
         let cosine = one - versine;
         let half_disc = sin * sin / (one + one + cosine + cosine);
         let square = alpha * alpha + half_disc;
         if !positive(square) {
-            return Self { inverse: DARK, rough: DARK, disc: DARK, outside: DARK, inside: DARK };
+            return Self::DARK;
         }
         let (inverse, rough) = (one / square, alpha * alpha / square);
         let disc = (half_disc + half_disc) / square;

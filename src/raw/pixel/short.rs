@@ -7,6 +7,7 @@ use crate::real::{Scalar, Scaled};
 const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// `mantissa * 2^(exponent - 16)`: the mantissa is below `2^16`, and a constant's 0 or at least `2^15`.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Short {
