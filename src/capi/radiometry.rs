@@ -13,11 +13,11 @@ pub extern "C" fn sunglint_irradiance_q16(intensity: u32, cos: i16, distance: u3
     raw::irradiance_q16(intensity, cos, distance)
 }
 
-/// Radiance of a matt surface, `rho E / pi`: `albedo` in Q14, from 0 to 1; `irradiance` in W/m^2 and the answer in W/(m^2
-/// sr) in Q16.
+/// Radiance of a matt surface, `rho E / pi`: `albedo` in Q14, from 0 to 1; `irradiance` in W/m^2 and the answer in
+/// W/(m^2 sr), both in Q16.
 ///
-/// Within half a unit of the last place and 1.3e-9 of the answer. A negative albedo gives 0; what is too great is 2^32
-/// - 1.
+/// Within half a unit of the last place and 1.3e-9 of the answer. A negative albedo gives 0; an answer that is too
+/// great is 2^32 - 1.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_diffuse_radiance_q16(albedo: i16, irradiance: u32) -> u32 {
     raw::diffuse_radiance_q16(albedo, irradiance)
