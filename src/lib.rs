@@ -62,7 +62,7 @@
 #![cfg_attr(not(test), no_std)]
 #![cfg_attr(not(feature = "capi"), forbid(unsafe_code))]
 #![deny(unsafe_code)]
-#![warn(missing_docs)]
+#![warn(missing_docs, missing_debug_implementations, missing_copy_implementations)]
 
 pub mod blackbody;
 // Symbols by name are unsafe attributes.
@@ -81,6 +81,8 @@ pub mod normalization;
 #[cfg(feature = "oracle")]
 pub mod oracle;
 mod pair;
+#[cfg(feature = "fixed")]
+pub mod plain;
 mod product;
 pub mod radiometry;
 #[cfg(feature = "fixed")]

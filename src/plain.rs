@@ -1,10 +1,25 @@
-//! Structs as C has them.
+//! Numbers of [`raw`](crate::raw) as they lie in memory, lane by lane: for C, uniform buffers and flash images. Needs the
+//! feature `fixed`.
+//!
+//! With the feature `bytemuck` all are `Pod`, and so any bits are one of them: what is read from elsewhere is taken as it
+//! is. With `mint` the vectors convert into that crate's. Where arrays will do, they do without either feature:
+//!
+//! ```
+//! use sunglint::raw::SUN_Q14;
+//!
+//! const IMAGE: [i32; 4] = SUN_Q14.to_array();
+//! assert_eq!(IMAGE[0], 1_248_350);
+//! ```
 
-use crate::raw;
+mod conversions;
+#[cfg(feature = "mint")]
+mod vectors;
 
 /// A vector in Q14: 16384 is 1.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VectorQ14 {
     /// First lane.
     pub x: i16,
@@ -16,7 +31,9 @@ pub struct VectorQ14 {
 
 /// A vector in Q30: 1073741824 is 1.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VectorQ30 {
     /// First lane.
     pub x: i32,
@@ -29,6 +46,8 @@ pub struct VectorQ30 {
 /// A vector of floats.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VectorF32 {
     /// First lane.
     pub x: f32,
@@ -40,7 +59,9 @@ pub struct VectorF32 {
 
 /// Levels in unsigned Q16: 65536 is 1.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ColourQ16 {
     /// Red.
     pub red: u32,
@@ -52,7 +73,9 @@ pub struct ColourQ16 {
 
 /// Levels in Q30: 1073741824 is 1.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ColourQ30 {
     /// Red.
     pub red: i32,
@@ -64,7 +87,9 @@ pub struct ColourQ30 {
 
 /// A glossy surface, in Q30: 1073741824 is 1.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MaterialQ30 {
     /// Diffuse reflectance, each from 0 to 1.
     pub albedo: ColourQ30,
@@ -76,7 +101,9 @@ pub struct MaterialQ30 {
 
 /// A point of the square of 0 to 1, in Q14: 16384 is 1.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PointQ14 {
     /// How far from a disc's centre to its rim, by area.
     pub z: i16,
@@ -86,7 +113,9 @@ pub struct PointQ14 {
 
 /// A point of the square of 0 to 1, in Q30: 1073741824 is 1.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PointQ30 {
     /// How far from a disc's centre to its rim, by area.
     pub z: i32,
@@ -96,7 +125,9 @@ pub struct PointQ30 {
 
 /// Two directions across a third, in Q14.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BasisQ14 {
     /// The first.
     pub t: VectorQ14,
@@ -106,7 +137,9 @@ pub struct BasisQ14 {
 
 /// Two directions across a third, in Q30.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BasisQ30 {
     /// The first.
     pub t: VectorQ30,
@@ -116,7 +149,9 @@ pub struct BasisQ30 {
 
 /// What a surface sees of a light, in Q30, each from 0 to 1.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SoftShadow {
     /// Share of the disc that is above the surface and seen.
     pub visible: i32,
@@ -126,7 +161,9 @@ pub struct SoftShadow {
 
 /// A light's constants for Q14 vectors, each in Q28.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SphereQ14 {
     /// Sine of the angular radius, which is radius over distance.
     pub sin: i32,
@@ -140,7 +177,9 @@ pub struct SphereQ14 {
 
 /// A light's constants for Q30 vectors, each in Q60.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SphereQ30 {
     /// Sine of the angular radius, which is radius over distance.
     pub sin: i64,
@@ -150,94 +189,4 @@ pub struct SphereQ30 {
     pub cos: i64,
     /// `1 - cos`.
     pub versine: i64,
-}
-
-impl From<[i16; 3]> for VectorQ14 {
-    fn from([x, y, z]: [i16; 3]) -> Self {
-        Self { x, y, z }
-    }
-}
-
-impl From<VectorQ14> for [i16; 3] {
-    fn from(v: VectorQ14) -> Self {
-        [v.x, v.y, v.z]
-    }
-}
-
-impl From<[i32; 3]> for VectorQ30 {
-    fn from([x, y, z]: [i32; 3]) -> Self {
-        Self { x, y, z }
-    }
-}
-
-impl From<VectorQ30> for [i32; 3] {
-    fn from(v: VectorQ30) -> Self {
-        [v.x, v.y, v.z]
-    }
-}
-
-impl From<[f32; 3]> for VectorF32 {
-    fn from([x, y, z]: [f32; 3]) -> Self {
-        Self { x, y, z }
-    }
-}
-
-impl From<VectorF32> for [f32; 3] {
-    fn from(v: VectorF32) -> Self {
-        [v.x, v.y, v.z]
-    }
-}
-
-impl From<[u32; 3]> for ColourQ16 {
-    fn from([red, green, blue]: [u32; 3]) -> Self {
-        Self { red, green, blue }
-    }
-}
-
-impl From<ColourQ16> for [u32; 3] {
-    fn from(colour: ColourQ16) -> Self {
-        [colour.red, colour.green, colour.blue]
-    }
-}
-
-impl From<[i32; 3]> for ColourQ30 {
-    fn from([red, green, blue]: [i32; 3]) -> Self {
-        Self { red, green, blue }
-    }
-}
-
-impl From<ColourQ30> for [i32; 3] {
-    fn from(colour: ColourQ30) -> Self {
-        [colour.red, colour.green, colour.blue]
-    }
-}
-
-impl From<[i32; 2]> for SoftShadow {
-    fn from([visible, mean_cosine]: [i32; 2]) -> Self {
-        Self { visible, mean_cosine }
-    }
-}
-
-impl From<raw::SphereQ14> for SphereQ14 {
-    fn from(light: raw::SphereQ14) -> Self {
-        Self { sin: light.sin, sin_square: light.sin_square, cos: light.cos, versine: light.versine }
-    }
-}
-
-impl From<SphereQ14> for raw::SphereQ14 {
-    fn from(light: SphereQ14) -> Self {
-        Self { sin: light.sin, sin_square: light.sin_square, cos: light.cos, versine: light.versine }
-    }
-}
-
-impl From<raw::SphereQ30> for SphereQ30 {
-    fn from(light: raw::SphereQ30) -> Self {
-        Self { sin: light.sin, sin_square: light.sin_square, cos: light.cos, versine: light.versine }
-    }
-}
-
-impl From<SphereQ30> for raw::SphereQ30 {
-    fn from(light: SphereQ30) -> Self {
-        Self { sin: light.sin, sin_square: light.sin_square, cos: light.cos, versine: light.versine }
-    }
 }
