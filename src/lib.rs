@@ -13,7 +13,7 @@
 //! | [`light`], [`sphere`], [`normalization`] | a light as described, its constants in a format, sizeFactor and solid angle |
 //! | [`sampling`], [`shadow`] | directions of the disc and their density; soft shadows by the caller's visibility |
 //! | [`radiometry`], [`blackbody`] | power, intensity, irradiance, radiance; Planck's law and tints |
-//! | [`raw`] | the same on raw bits |
+//! | [`raw`], [`plain`] | the same on raw bits; their numbers as they lie in memory |
 //! | [`soft`] | f32 in integers, for chips without an FPU: roots, directions |
 //!
 //! ```
@@ -57,9 +57,24 @@
 //! # Features
 //!
 //! `fixed`, `half` and `micromath` (all on) bring the formats of the crates of those names, `heapless` (on) the scene,
-//! whose lights are in a list of that crate's; no type of it is public. None changes a result. `oracle` adds the f64
-//! truth and the lists that tests and study share, without the standard library; `study` the host tool.
+//! whose lights are in a list of that crate's; no type of it is public. `capi` adds functions for C. `oracle`
+//! adds the f64 truth and the lists that tests and study share, without the standard library; `study` the host tool. None
+//! changes a result.
+//!
+//! Four more bring other crates' traits, without the standard library as well:
+//!
+//! | feature | what it does |
+//! |---|---|
+//! | `serde` | [`DistantLight`], [`Description`](light::Description), [`Material`](material::Material), [`SphereLight`](radiometry::SphereLight) and [`Channel`](scene::Channel) are stored as described, and checked when read |
+//! | `defmt` | every public type but [`Scene`](scene::Scene) is a `Format` where its numbers are: f16 and micromath are not, lanes of `fixed` by that crate's feature of the name, from 1.30 on |
+//! | `bytemuck` | the structs of [`plain`] are `Pod`; [`DistantSphere::to_array`] needs no feature |
+//! | `mint` | the vectors of [`plain`] convert into and from mint's, which are arrays' too |
+//!
+//! Constants such as [`DistantSphere`] and [`Surface`](material::Surface) are not stored: four numbers that have to agree
+//! to the last bit, and a format that a file should not know. Store what they are made of.
 #![cfg_attr(not(test), no_std)]
+// Says at each item which feature it needs; docs.rs has the nightly that can.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(not(feature = "capi"), forbid(unsafe_code))]
 #![deny(unsafe_code)]
 #![warn(missing_docs, missing_debug_implementations, missing_copy_implementations)]
