@@ -2,13 +2,19 @@
 //! feature `fixed`.
 //!
 //! With the feature `bytemuck` all are `Pod`, and so any bits are one of them: what is read from elsewhere is taken as it
-//! is. With `mint` the vectors convert into that crate's. Where arrays will do, they do without either feature:
+//! is. With `mint` the vectors convert into that crate's. Where arrays will do, they do without either feature, and mint
+//! converts them itself:
 //!
 //! ```
-//! use sunglint::raw::SUN_Q14;
+//! use mint::Vector3;
+//! use sunglint::raw::{SUN_Q14, cap_q14};
 //!
 //! const IMAGE: [i32; 4] = SUN_Q14.to_array();
 //! assert_eq!(IMAGE[0], 1_248_350);
+//!
+//! let up = Vector3 { x: 0, y: 0, z: 16_384 };
+//! let shaded: Vector3<i16> = cap_q14(up.into(), up.into(), &SUN_Q14).into();
+//! assert_eq!(shaded, up);
 //! ```
 
 mod conversions;
