@@ -15,6 +15,7 @@
 //! | [`radiometry`], [`blackbody`] | power, intensity, irradiance, radiance; Planck's law and tints |
 //! | [`raw`], [`plain`] | the same on raw bits; their numbers as they lie in memory |
 //! | [`soft`] | f32 in integers, for chips without an FPU: roots, directions |
+//! | `capi` | `extern "C"` functions on raw bits and plain structs, and `src/capi/sunglint.h`; with the feature `capi` |
 //!
 //! ```
 //! use sunglint::{DistantSphere, SUN, cap, reflect};
@@ -57,9 +58,10 @@
 //! # Features
 //!
 //! `fixed`, `half` and `micromath` (all on) bring the formats of the crates of those names, `heapless` (on) the scene,
-//! whose lights are in a list of that crate's; no type of it is public. `capi` adds functions for C. `oracle`
-//! adds the f64 truth and the lists that tests and study share, without the standard library; `study` the host tool. None
-//! changes a result.
+//! whose lights are in a list of that crate's; no type of it is public. None changes a result. `capi` (with `fixed` and
+//! `heapless`) adds functions for C, the one place where attributes, and nothing else, are unsafe; the README has the
+//! command that makes a library of them. `oracle` adds the f64 truth and the lists that tests and study share, without
+//! the standard library; `study` the host tool.
 //!
 //! Four more bring other crates' traits, without the standard library as well:
 //!

@@ -6,7 +6,8 @@ use crate::raw;
 /// The constants of a sphere whose radius over distance is `ratio`, in Q30, for Q14 vectors: for a lamp that moves.
 /// Once a light, not per pixel.
 ///
-/// `SUNGLINT_RATIO` where `ratio` is out of 0 to 1 (2^30); the light is then a point.
+/// Within 0.51 units of Q28's last place. `SUNGLINT_RATIO` where `ratio` is out of 0 to 1 (2^30); the light is then a
+/// point.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_sphere_q14(ratio: i32) -> SphereQ14Made {
     SphereQ14Made::of(raw::sphere_q14(ratio))
@@ -15,7 +16,8 @@ pub extern "C" fn sunglint_sphere_q14(ratio: i32) -> SphereQ14Made {
 /// The constants of a sphere whose radius over distance is `ratio`, in Q30, for Q30 vectors: for a lamp that moves.
 /// Once a light, not per pixel.
 ///
-/// `SUNGLINT_RATIO` where `ratio` is out of 0 to 1 (2^30); the light is then a point.
+/// Within 0.75 units of Q60's last place. `SUNGLINT_RATIO` where `ratio` is out of 0 to 1 (2^30); the light is then a
+/// point.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_sphere_q30(ratio: i32) -> SphereQ30Made {
     SphereQ30Made::of(raw::sphere_q30(ratio))
@@ -49,8 +51,8 @@ pub extern "C" fn sunglint_cap_q30(l: VectorQ30, r: VectorQ30, light: SphereQ30)
 /// (l.r) r - l`, `x` being radius over distance. Beside the light as `sunglint_cap_q14`; its turn falls to about `x
 /// cos(angle)`, half at 60 degrees, and is away from `r` beyond 90.
 ///
-/// Error of this formula at the Sun at most 1.4e-4 rad. Zero where the point is, which a light of `x = 1` has at a
-/// right angle. Vectors longer than 1.16 give some direction.
+/// Error of this formula at the Sun at most 1.4e-4 rad. Zero where the sum is, for `x = 1` with `l` at a right angle
+/// to `r`. Vectors longer than 1.16 give some direction.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_factored_q14(l: VectorQ14, r: VectorQ14, light: SphereQ14) -> VectorQ14 {
     raw::factored_q14(l.into(), r.into(), &light.into()).into()
@@ -60,8 +62,8 @@ pub extern "C" fn sunglint_factored_q14(l: VectorQ14, r: VectorQ14, light: Spher
 /// (l.r) r - l`, `x` being radius over distance. Beside the light as `sunglint_cap_q30`; its turn falls to about `x
 /// cos(angle)`, half at 60 degrees, and is away from `r` beyond 90.
 ///
-/// Error of this formula at the Sun at most 2.3e-9 rad. Zero where the point is, which a light of `x = 1` has at a
-/// right angle. Vectors longer than 1.16 give some direction.
+/// Error of this formula at the Sun at most 2.3e-9 rad. Zero where the sum is, for `x = 1` with `l` at a right angle
+/// to `r`. Vectors longer than 1.16 give some direction.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_factored_q30(l: VectorQ30, r: VectorQ30, light: SphereQ30) -> VectorQ30 {
     raw::factored_q30(l.into(), r.into(), &light.into()).into()

@@ -1,20 +1,21 @@
 //! What C holds and passes but does not look into: the Rust types themselves, which the header declares as so many words.
 //!
-//! Sound though C's fields are others: sizes and alignments are the same, asserted here for every target; the structs are
-//! passed by pointer and returned by value, for which every C ABI uses memory that the caller provides once a struct is
-//! larger than 16 bytes (x86-64, AArch64; 8 on arm and riscv32, one scalar on wasm32) whatever its fields.
+//! Sound though C's fields are others: sizes and alignments are the same, asserted here for every target. Cones and pixels
+//! are passed by pointer; as answers, by themselves or beside a status, they go into memory that the caller provides, as
+//! every C ABI has it of structs of integers larger than 16 bytes (arm: 4, riscv32: 8, wasm32: more than one number),
+//! whatever the integers.
 
 use core::ffi::c_void;
 
 use super::{VectorQ14, VectorQ30};
 use crate::raw;
 
-/// The directions to a light for Q14 vectors, as `sunglint_cone_q14` makes them; of no use to any other function if its
-/// words are others.
+/// The directions to a light for Q14 vectors. Made by `sunglint_cone_q14` alone, whose words are not to be changed; all
+/// words zero has zero for its directions.
 pub type ConeQ14 = raw::ConeQ14;
 
-/// The directions to a light for Q30 vectors, as `sunglint_cone_q30` makes them; of no use to any other function if its
-/// words are others.
+/// The directions to a light for Q30 vectors. Made by `sunglint_cone_q30` alone, whose words are not to be changed; all
+/// words zero has zero for its directions.
 pub type ConeQ30 = raw::ConeQ30;
 
 /// A material under one light, as `sunglint_pixel_q14` makes it. All words zero is black.

@@ -113,8 +113,8 @@ pub extern "C" fn sunglint_point_q30(index: u32) -> PointQ30 {
 /// hidden and are not asked for.
 ///
 /// The visible share is within `2 count^-0.75` of the area that is seen, and the mean cosine as a share of its
-/// greatest; at the Sun, which is few steps of Q14 wide, 0.0021 are added. Zeros where `cone` or `sees` is NULL, and
-/// for a `count` of 0.
+/// greatest, of discs that a plane, a sphere or the surface's own horizon cuts; at the Sun, which is few steps of Q14
+/// wide, 0.0021 are added. Zeros where `cone` or `sees` is NULL, and for a `count` of 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_soft_shadow_q14(
     cone: Option<&ConeQ14>,
@@ -133,7 +133,8 @@ pub extern "C" fn sunglint_soft_shadow_q14(
 /// hidden and are not asked for.
 ///
 /// The visible share is within `2 count^-0.75` of the area that is seen, and the mean cosine as a share of its
-/// greatest. Zeros where `cone` or `sees` is NULL, and for a `count` of 0.
+/// greatest, of discs that a plane, a sphere or the surface's own horizon cuts. Zeros where `cone` or `sees` is NULL,
+/// and for a `count` of 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_soft_shadow_q30(
     cone: Option<&ConeQ30>,

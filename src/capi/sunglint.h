@@ -6,11 +6,11 @@
  * Q16 (65536 is 1) or, where they are at most 1, Q30. Bounds of errors are against exact arithmetic on the same
  * arguments.
  *
- * Nothing allocates, keeps a state, sets errno or fails: any argument but a pointer to what is not there has the answer
- * that its function documents. What may be refused comes beside a status, SUNGLINT_OK being 0. All functions may be
- * called from threads and interrupts at once.
+ * Any argument has the answer that its function documents, NULL included; other pointers have to be valid. What may be
+ * refused comes beside a status, SUNGLINT_OK being 0. Nothing allocates, keeps a state, sets errno or calls the C
+ * library's mathematics; all functions may be called from threads and interrupts at once.
  *
- * Made from src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
+ * Made of src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
  */
 
 #ifndef SUNGLINT_H
@@ -120,16 +120,16 @@ typedef struct {
 } sunglint_vector_q30_t;
 
 /**
- * The directions to a light for Q14 vectors, as `sunglint_cone_q14` makes them; of no use to any other function if its
- * words are others.
+ * The directions to a light for Q14 vectors. Made by `sunglint_cone_q14` alone, whose words are not to be changed; all
+ * words zero has zero for its directions.
  */
 typedef struct {
     uint32_t opaque[19];
 } sunglint_cone_q14_t;
 
 /**
- * The directions to a light for Q30 vectors, as `sunglint_cone_q30` makes them; of no use to any other function if its
- * words are others.
+ * The directions to a light for Q30 vectors. Made by `sunglint_cone_q30` alone, whose words are not to be changed; all
+ * words zero has zero for its directions.
  */
 typedef struct {
     uint32_t opaque[24];
@@ -250,7 +250,8 @@ extern "C" {
  * The constants of a sphere whose radius over distance is `ratio`, in Q30, for Q14 vectors: for a lamp that moves.
  * Once a light, not per pixel.
  *
- * `SUNGLINT_RATIO` where `ratio` is out of 0 to 1 (2^30); the light is then a point.
+ * Within 0.51 units of Q28's last place. `SUNGLINT_RATIO` where `ratio` is out of 0 to 1 (2^30); the light is then a
+ * point.
  */
 sunglint_sphere_q14_made_t sunglint_sphere_q14(int32_t ratio);
 
@@ -258,7 +259,8 @@ sunglint_sphere_q14_made_t sunglint_sphere_q14(int32_t ratio);
  * The constants of a sphere whose radius over distance is `ratio`, in Q30, for Q30 vectors: for a lamp that moves.
  * Once a light, not per pixel.
  *
- * `SUNGLINT_RATIO` where `ratio` is out of 0 to 1 (2^30); the light is then a point.
+ * Within 0.75 units of Q60's last place. `SUNGLINT_RATIO` where `ratio` is out of 0 to 1 (2^30); the light is then a
+ * point.
  */
 sunglint_sphere_q30_made_t sunglint_sphere_q30(int32_t ratio);
 
@@ -289,8 +291,8 @@ sunglint_vector_q30_t sunglint_cap_q30(sunglint_vector_q30_t l, sunglint_vector_
  * (l.r) r - l`, `x` being radius over distance. Beside the light as `sunglint_cap_q14`; its turn falls to about `x
  * cos(angle)`, half at 60 degrees, and is away from `r` beyond 90.
  *
- * Error of this formula at the Sun at most 1.4e-4 rad. Zero where the point is, which a light of `x = 1` has at a
- * right angle. Vectors longer than 1.16 give some direction.
+ * Error of this formula at the Sun at most 1.4e-4 rad. Zero where the sum is, for `x = 1` with `l` at a right angle
+ * to `r`. Vectors longer than 1.16 give some direction.
  */
 sunglint_vector_q14_t sunglint_factored_q14(sunglint_vector_q14_t l,
                                             sunglint_vector_q14_t r,
@@ -301,8 +303,8 @@ sunglint_vector_q14_t sunglint_factored_q14(sunglint_vector_q14_t l,
  * (l.r) r - l`, `x` being radius over distance. Beside the light as `sunglint_cap_q30`; its turn falls to about `x
  * cos(angle)`, half at 60 degrees, and is away from `r` beyond 90.
  *
- * Error of this formula at the Sun at most 2.3e-9 rad. Zero where the point is, which a light of `x = 1` has at a
- * right angle. Vectors longer than 1.16 give some direction.
+ * Error of this formula at the Sun at most 2.3e-9 rad. Zero where the sum is, for `x = 1` with `l` at a right angle
+ * to `r`. Vectors longer than 1.16 give some direction.
  */
 sunglint_vector_q30_t sunglint_factored_q30(sunglint_vector_q30_t l,
                                             sunglint_vector_q30_t r,
@@ -487,8 +489,8 @@ sunglint_point_q30_t sunglint_point_q30(uint32_t index);
  * hidden and are not asked for.
  *
  * The visible share is within `2 count^-0.75` of the area that is seen, and the mean cosine as a share of its
- * greatest; at the Sun, which is few steps of Q14 wide, 0.0021 are added. Zeros where `cone` or `sees` is NULL, and
- * for a `count` of 0.
+ * greatest, of discs that a plane, a sphere or the surface's own horizon cuts; at the Sun, which is few steps of Q14
+ * wide, 0.0021 are added. Zeros where `cone` or `sees` is NULL, and for a `count` of 0.
  */
 sunglint_soft_shadow_t sunglint_soft_shadow_q14(const sunglint_cone_q14_t *cone,
                                                 sunglint_vector_q14_t n,
@@ -503,7 +505,8 @@ sunglint_soft_shadow_t sunglint_soft_shadow_q14(const sunglint_cone_q14_t *cone,
  * hidden and are not asked for.
  *
  * The visible share is within `2 count^-0.75` of the area that is seen, and the mean cosine as a share of its
- * greatest. Zeros where `cone` or `sees` is NULL, and for a `count` of 0.
+ * greatest, of discs that a plane, a sphere or the surface's own horizon cuts. Zeros where `cone` or `sees` is NULL,
+ * and for a `count` of 0.
  */
 sunglint_soft_shadow_t sunglint_soft_shadow_q30(const sunglint_cone_q30_t *cone,
                                                 sunglint_vector_q30_t n,
@@ -584,8 +587,8 @@ sunglint_pixel_q14_made_t sunglint_pixel_q14(sunglint_vector_q14_t direction,
  *
  * Within 6e-5 of the diffuse part, 6e-4 of the highlight (root mean square 4e-5) times the formula's condition, which
  * is 2 away from the disc's image and grows at the rim of a sharp one and near the horizon, 2e-5 of what the highlight
- * would be with a reflectance of 1, and 0.6 of the last place. Black where the surface faces away from the camera, and
- * where `pixel` is NULL; what is too great is 2^32 - 1.
+ * would be with a reflectance of 1, and 0.6 of the last place. No highlight where `n.v` or `n.l` is at most 2^-14.
+ * Black where the surface faces away from the camera, and where `pixel` is NULL; what is too great is 2^32 - 1.
  */
 sunglint_colour_q16_t sunglint_pixel_q14_shade(const sunglint_pixel_q14_t *pixel,
                                                sunglint_vector_q14_t n,

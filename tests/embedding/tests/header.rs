@@ -18,11 +18,11 @@ const ABOUT: &str = "\
  * Q16 (65536 is 1) or, where they are at most 1, Q30. Bounds of errors are against exact arithmetic on the same
  * arguments.
  *
- * Nothing allocates, keeps a state, sets errno or fails: any argument but a pointer to what is not there has the answer
- * that its function documents. What may be refused comes beside a status, SUNGLINT_OK being 0. All functions may be
- * called from threads and interrupts at once.
+ * Any argument has the answer that its function documents, NULL included; other pointers have to be valid. What may be
+ * refused comes beside a status, SUNGLINT_OK being 0. Nothing allocates, keeps a state, sets errno or calls the C
+ * library's mathematics; all functions may be called from threads and interrupts at once.
  *
- * Made from src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
+ * Made of src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
  */";
 
 fn root() -> PathBuf {
@@ -152,33 +152,58 @@ fn the_committed_header_is_that_of_the_sources() {
     assert!(header == committed, "src/capi/sunglint.h differs from line {other:?}: SUNGLINT_RECORD=1 writes it anew");
 }
 
-/// Sizes and alignments as Rust has them, asserted in C.
+/// Size and alignment of a type as Rust has them, asserted in C.
+fn layout<T>(rust: &str) -> String {
+    let (name, size, align) = (c_name(rust), size_of::<T>(), align_of::<T>());
+    format!(
+        "typedef char size_of_{name}[sizeof({name}) == {size} ? 1 : -1];\n\
+         struct align_of_{name} {{ char first; {name} second; }};\n\
+         typedef char is_{name}[offsetof(struct align_of_{name}, second) == {align} ? 1 : -1];\n"
+    )
+}
+
+/// Of every type that a function takes or gives.
 fn layouts() -> String {
-    macro_rules! of {
-        ($($name:ident)*) => { [$((c_name(stringify!($name)), size_of::<capi::$name>(), align_of::<capi::$name>())),*] };
-    }
-    let types = of!(VectorQ14 VectorQ30 VectorF32 SphereQ14 SphereQ30 ColourQ16 ColourQ30 MaterialQ30 PointQ14 PointQ30
-        BasisQ14 BasisQ30 SoftShadow ConeQ14 ConeQ30 PixelQ14 Status SphereQ14Made SphereQ30Made PixelQ14Made
-        RadianceQ16Made);
-    let assert = |(name, size, align): (String, usize, usize)| {
-        format!(
-            "typedef char size_of_{name}[sizeof({name}) == {size} ? 1 : -1];\n\
-             struct align_of_{name} {{ char first; {name} second; }};\n\
-             typedef char is_{name}[offsetof(struct align_of_{name}, second) == {align} ? 1 : -1];\n"
-        )
-    };
-    types.into_iter().map(assert).collect()
+    [
+        layout::<capi::VectorQ14>("VectorQ14"),
+        layout::<capi::VectorQ30>("VectorQ30"),
+        layout::<capi::VectorF32>("VectorF32"),
+        layout::<capi::SphereQ14>("SphereQ14"),
+        layout::<capi::SphereQ30>("SphereQ30"),
+        layout::<capi::SphereQ14Made>("SphereQ14Made"),
+        layout::<capi::SphereQ30Made>("SphereQ30Made"),
+        layout::<capi::ConeQ14>("ConeQ14"),
+        layout::<capi::ConeQ30>("ConeQ30"),
+        layout::<capi::PointQ14>("PointQ14"),
+        layout::<capi::PointQ30>("PointQ30"),
+        layout::<capi::BasisQ14>("BasisQ14"),
+        layout::<capi::BasisQ30>("BasisQ30"),
+        layout::<capi::SoftShadow>("SoftShadow"),
+        layout::<capi::ColourQ16>("ColourQ16"),
+        layout::<capi::ColourQ30>("ColourQ30"),
+        layout::<capi::MaterialQ30>("MaterialQ30"),
+        layout::<capi::PixelQ14>("PixelQ14"),
+        layout::<capi::PixelQ14Made>("PixelQ14Made"),
+        layout::<capi::RadianceQ16Made>("RadianceQ16Made"),
+        layout::<capi::Status>("Status"),
+    ]
+    .concat()
 }
 
 /// C99 and C++11, without a warning, and with the layouts of this machine, which are those of every 32-bit target.
 #[test]
 fn compilers_take_it() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    fs::write(folder.join("sunglint.h"), generated()).unwrap();
     let alone = folder.join("alone.c");
     fs::write(&alone, "#include \"sunglint.h\"\n").unwrap();
     let sizes = folder.join("layouts.c");
-    fs::write(&sizes, format!("#include \"sunglint.h\"\n#include <stddef.h>\n{}", layouts())).unwrap();
+    let header = generated();
+    fs::write(folder.join("sunglint.h"), &header).unwrap();
+    let structs = header.lines().filter(|line| line.starts_with("} sunglint_")).count();
+    let asserted = layouts();
+    // The status is no struct.
+    assert_eq!(asserted.matches("struct align_of_sunglint_").count(), 2 * (structs + 1));
+    fs::write(&sizes, format!("#include \"sunglint.h\"\n#include <stddef.h>\n{asserted}")).unwrap();
     for (compiler, standard, language, package) in [
         ("gcc", "-std=c99", "c", "gcc"),
         ("g++", "-std=c++11", "c++", "g++"),

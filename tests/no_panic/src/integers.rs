@@ -3,6 +3,7 @@
 #![no_std]
 #![no_main]
 
+mod from_c;
 mod generic;
 mod image;
 
@@ -31,6 +32,7 @@ pub extern "C" fn _start() -> ! {
         raw_quantities();
         soft_floats();
         raw_scenes();
+        from_c::call();
         image::plant();
     }
 }
