@@ -70,7 +70,7 @@
 //! | `serde` | [`DistantLight`], [`Description`](light::Description), [`Material`](material::Material), [`SphereLight`](radiometry::SphereLight) and [`Channel`](scene::Channel) are stored as described, and checked when read |
 //! | `defmt` | every public type but [`Scene`](scene::Scene) is a `Format` where its numbers are: f16 and micromath are not, lanes of `fixed` by that crate's feature of the name, from 1.30 on |
 //! | `bytemuck` | the structs of [`plain`] are `Pod`; [`DistantSphere::to_array`] needs no feature |
-//! | `mint` | the vectors of [`plain`] convert into and from mint's, which are arrays' too |
+//! | `mint` | the vectors of [`plain`] convert into mint's and back; the arrays that functions take mint converts by itself |
 //!
 //! Constants such as [`DistantSphere`] and [`Surface`](material::Surface) are not stored: four numbers that have to agree
 //! to the last bit, and a format that a file should not know. Store what they are made of.
