@@ -13,7 +13,6 @@ mod directions;
 mod freestanding;
 mod opaque;
 mod pixel;
-mod plain;
 mod radiometry;
 mod sampling;
 mod soft;
@@ -24,8 +23,9 @@ pub use diffuse::*;
 pub use directions::*;
 pub use opaque::*;
 pub use pixel::*;
-pub use plain::*;
 pub use radiometry::*;
 pub use sampling::*;
 pub use soft::*;
 pub use status::*;
+
+pub use crate::plain::*;

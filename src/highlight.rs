@@ -71,6 +71,7 @@ pub trait Highlight<T: Real>: Copy {
 
 /// A highlight without its colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gloss<S> {
     /// `D V (n.l)` over `gain`, in 1/sr.
     pub level: S,

@@ -13,7 +13,7 @@
 //! | [`light`], [`sphere`], [`normalization`] | a light as described, its constants in a format, sizeFactor and solid angle |
 //! | [`sampling`], [`shadow`] | directions of the disc and their density; soft shadows by the caller's visibility |
 //! | [`radiometry`], [`blackbody`] | power, intensity, irradiance, radiance; Planck's law and tints |
-//! | [`raw`] | the same on raw bits |
+//! | [`raw`], [`plain`] | the same on raw bits; their numbers as they lie in memory |
 //! | [`soft`] | f32 in integers, for chips without an FPU: roots, directions |
 //! | `capi` | `extern "C"` functions on raw bits and plain structs, and `src/capi/sunglint.h`; with the feature `capi` |
 //!
@@ -62,10 +62,24 @@
 //! `heapless`) adds functions for C, the one place where attributes, and nothing else, are unsafe; the README has the
 //! command that makes a library of them. `oracle` adds the f64 truth and the lists that tests and study share, without
 //! the standard library; `study` the host tool.
+//!
+//! Four more bring other crates' traits, without the standard library as well:
+//!
+//! | feature | what it does |
+//! |---|---|
+//! | `serde` | [`DistantLight`], [`Description`](light::Description), [`Material`](material::Material), [`SphereLight`](radiometry::SphereLight) and [`Channel`](scene::Channel) are stored as described, and checked when read |
+//! | `defmt` | every public type but [`Scene`](scene::Scene) is a `Format` where its numbers are: f16 and micromath are not, lanes of `fixed` by that crate's feature of the name, from 1.30 on |
+//! | `bytemuck` | the structs of [`plain`] are `Pod`; [`DistantSphere::to_array`] needs no feature |
+//! | `mint` | the vectors of [`plain`] convert into mint's and back; the arrays that functions take mint converts by itself |
+//!
+//! Constants such as [`DistantSphere`] and [`Surface`](material::Surface) are not stored: four numbers that have to agree
+//! to the last bit, and a format that a file should not know. Store what they are made of.
 #![cfg_attr(not(test), no_std)]
+// Says at each item which feature it needs; docs.rs has the nightly that can.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(not(feature = "capi"), forbid(unsafe_code))]
 #![deny(unsafe_code)]
-#![warn(missing_docs)]
+#![warn(missing_docs, missing_debug_implementations, missing_copy_implementations)]
 
 pub mod blackbody;
 // Symbols by name are unsafe attributes.
@@ -84,6 +98,8 @@ pub mod normalization;
 #[cfg(feature = "oracle")]
 pub mod oracle;
 mod pair;
+#[cfg(feature = "fixed")]
+pub mod plain;
 mod product;
 pub mod radiometry;
 #[cfg(feature = "fixed")]

@@ -1,7 +1,10 @@
 //! A distant light as it is described: radius over distance, an angle, or a radius and a distance, in f64.
 
+mod description;
+
 use core::fmt;
 
+pub use self::description::Description;
 use crate::constant;
 
 /// The Sun seen from one astronomical unit: the IAU's nominal solar radius (2015 resolution B3, 695 700 km) over the
@@ -33,13 +36,27 @@ pub const ASTRONOMICAL_UNIT_KM: f64 = 149_597_870.7;
 /// ```
 ///
 /// To light pixels, put its constants into a number format: [`DistantSphere`](crate::DistantSphere).
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// With the feature `serde` it is written as it was described, under the constructor's name, and read by that
+/// constructor, which refuses what it always refuses. In JSON:
+///
+/// ```json
+/// [
+///     { "radius_and_distance": { "radius": 695700.0, "distance": 149597870.7 } },
+///     { "ratio": 0.05 },
+///     { "angle": 0.53 },
+///     { "angular_radius": 0.00465 }
+/// ]
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "Description", into = "Description"))]
 pub struct DistantLight {
     sin: f64,
     cos: f64,
     versine: f64,
-    radius: f64,
-    distance: f64,
+    description: Description,
 }
 
 impl DistantLight {
@@ -61,7 +78,7 @@ impl DistantLight {
         if !(ratio >= 0.0 && ratio <= 1.0) {
             return Err(LightError::Ratio(ratio));
         }
-        Ok(Self::sphere(ratio, ratio, 1.0))
+        Ok(Self::sphere(ratio, [ratio, 1.0], Description::Ratio(ratio)))
     }
 
     /// A sphere of `radius` at `distance`, both in the same unit.
@@ -85,7 +102,8 @@ impl DistantLight {
         if !(radius >= 0.0 && radius <= distance) {
             return Err(LightError::Radius { radius, distance });
         }
-        Ok(Self::sphere(radius / distance, radius, distance))
+        let description = Description::RadiusAndDistance { radius, distance };
+        Ok(Self::sphere(radius / distance, [radius, distance], description))
     }
 
     /// A disc in the sky of angular radius `theta` radians, from 0 to pi.
@@ -106,7 +124,7 @@ impl DistantLight {
             return Err(LightError::AngularRadius(theta));
         }
         let half = constant::sin(theta / 2.0);
-        Ok(Self::disc(constant::sin(theta), constant::cos(theta), half))
+        Ok(Self::disc(constant::sin(theta), constant::cos(theta), half, Description::AngularRadius(theta)))
     }
 
     /// A disc in the sky as UsdLux `angle` gives it: the angular *diameter* in *degrees*, from 0 to 360.
@@ -128,21 +146,21 @@ impl DistantLight {
         }
         let theta = angle / 2.0;
         let half = constant::sin_degrees(theta / 2.0);
-        Ok(Self::disc(constant::sin_degrees(theta), constant::cos_degrees(theta), half))
+        let description = Description::Angle(angle);
+        Ok(Self::disc(constant::sin_degrees(theta), constant::cos_degrees(theta), half, description))
     }
 
-    const fn sphere(sin: f64, radius: f64, distance: f64) -> Self {
+    const fn sphere(sin: f64, [radius, distance]: [f64; 2], description: Description) -> Self {
         // Neither 1 - x^2 nor 1 - cos is formed by a subtraction that cancels, nor 1 - x from an x that was rounded.
         let cos = constant::sqrt((distance - radius) / distance * (1.0 + sin));
-        Self { sin, cos, versine: sin * sin / (1.0 + cos), radius, distance }
+        Self { sin, cos, versine: sin * sin / (1.0 + cos), description }
     }
 
     /// `half` is the sine of half the angular radius.
-    const fn disc(sin: f64, cos: f64, half: f64) -> Self {
+    const fn disc(sin: f64, cos: f64, half: f64, description: Description) -> Self {
         // Only where the cosine is close to 1 does the difference cancel.
         let versine = if cos < 0.5 { 1.0 - cos } else { 2.0 * half * half };
-        let radius = if cos < 0.0 { 1.0 } else { sin };
-        Self { sin, cos, versine, radius, distance: 1.0 }
+        Self { sin, cos, versine, description }
     }
 
     /// Sine of the angular radius; radius over distance for all that subtend up to half the sky.
@@ -185,6 +203,11 @@ impl DistantLight {
         self.versine
     }
 
+    /// What it was made of, and by which constructor.
+    pub const fn description(&self) -> Description {
+        self.description
+    }
+
     /// Radius, in the unit that the light was given in; the ratio itself where no distance was given.
     ///
     /// ```
@@ -194,7 +217,11 @@ impl DistantLight {
     /// assert_eq!(DistantLight::from_ratio(0.05).unwrap().radius(), 0.05);
     /// ```
     pub const fn radius(&self) -> f64 {
-        self.radius
+        match self.description {
+            Description::RadiusAndDistance { radius, .. } => radius,
+            _ if self.cos < 0.0 => 1.0,
+            _ => self.sin,
+        }
     }
 
     /// Distance, in the unit that the light was given in; 1 where none was given.
@@ -206,7 +233,10 @@ impl DistantLight {
     /// assert_eq!(DistantLight::from_angle(0.53).unwrap().distance(), 1.0);
     /// ```
     pub const fn distance(&self) -> f64 {
-        self.distance
+        match self.description {
+            Description::RadiusAndDistance { distance, .. } => distance,
+            _ => 1.0,
+        }
     }
 
     /// The angular radius in radians, from 0 to pi.
@@ -221,8 +251,17 @@ impl DistantLight {
     }
 }
 
+/// Lights are equal that light alike, however they were described.
+impl PartialEq for DistantLight {
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |light: &Self| [light.sin, light.cos, light.versine, light.radius(), light.distance()];
+        numbers(self) == numbers(other)
+    }
+}
+
 /// Why a light, or a quantity of a light, could not be made; holds the value, and displays the range allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum LightError {
     /// Radius over distance is not within 0 to 1.

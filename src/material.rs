@@ -18,7 +18,12 @@ pub const LEAST_ALPHA: f64 = 5e-4;
 /// };
 /// assert!(Material::new([0.5; 3], 1e-4, [0.04; 3]).is_err());
 /// ```
+///
+/// With the feature `serde` its fields are those of [`Material::new`], which reads them: in JSON `{ "albedo": [0.01,
+/// 0.03, 0.05], "alpha": 0.02, "f0": [0.02, 0.02, 0.02] }`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "stored::Fields"))]
 pub struct Material {
     albedo: [Constant; 3],
     alpha: Constant,
@@ -63,8 +68,31 @@ impl Material {
     }
 }
 
+#[cfg(feature = "serde")]
+mod stored {
+    use super::{Material, MaterialError};
+
+    /// What a file has of a material, before it is checked.
+    #[derive(serde::Deserialize)]
+    #[serde(rename = "Material", deny_unknown_fields)]
+    pub(super) struct Fields {
+        albedo: [f64; 3],
+        alpha: f64,
+        f0: [f64; 3],
+    }
+
+    impl TryFrom<Fields> for Material {
+        type Error = MaterialError;
+
+        fn try_from(fields: Fields) -> Result<Self, MaterialError> {
+            Self::new(fields.albedo, fields.alpha, fields.f0)
+        }
+    }
+}
+
 /// A [`Material`] in the format `T`, each number rounded to nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Surface<T: Real> {
     pub(crate) albedo: [T::Scalar; 3],
     pub(crate) alpha: T::Scalar,
@@ -141,6 +169,7 @@ impl<T: Real> Surface<T> {
 
 /// Why a material could not be made; holds the value, and displays the range allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum MaterialError<S = f64> {
     /// A channel of the albedo is not within 0 to 1.

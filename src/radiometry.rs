@@ -255,6 +255,7 @@ pub fn diffuse_radiance<S: Scalar>(albedo: S, irradiance: S) -> S {
 
 /// A small flat piece of a surface, as it lies to a line of sight.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Patch<S> {
     /// In square metres.
     pub area: S,

@@ -322,6 +322,7 @@ pub trait Real: Copy + PartialOrd + Debug + 'static {
 /// Floats take the tilt from `n - h`, which is exact where the two are close, fixed point from `n x (l + v)` and `n.(l
 /// - v)`, which are exact everywhere. Where `l = -v`, all of it is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Halfway<S> {
     /// `(v.h)^2`, which is `|l + v|^2 / 4`.
     pub v_dot_h_square: S,

@@ -30,6 +30,7 @@ use crate::vec3::{each, zip};
 /// ```
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<T: Real> {
     l: [T; 3],
     basis: [[T; 3]; 2],

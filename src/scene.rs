@@ -30,6 +30,7 @@ use crate::sphere::DistantSphere;
 
 /// A distant light where it stands: direction, size, and how bright it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lamp<T: Real> {
     direction: [T; 3],
     sphere: DistantSphere<T>,
@@ -96,7 +97,9 @@ pub struct Scene<T: Real, const LIGHTS: usize, H = ConeGgx<T>> {
 }
 
 /// Red, green or blue.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Channel {
     /// The first.
     Red,
@@ -288,6 +291,7 @@ impl Channel {
 
 /// Why a light was not taken into a scene; holds the value, and displays the range allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SceneError<S = f64> {
     /// There is no room for another light.

@@ -8,6 +8,7 @@ use crate::sampling::{Cone, points};
 
 /// What a surface sees of a light, each a mean over directions to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SoftShadow<T: Real> {
     /// Share of the disc that is above the surface and seen, 0 to 1: the mean of `V`.
     pub visible: T::Scalar,

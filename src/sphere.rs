@@ -19,6 +19,7 @@ use crate::real::{Float, Real};
 /// ```
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DistantSphere<T: Real> {
     pub(crate) sin: T::Wide,
     pub(crate) sin_square: T::Wide,
@@ -101,6 +102,18 @@ impl<T: Real> DistantSphere<T> {
     pub fn versine(&self) -> T::Wide {
         self.versine
     }
+
+    /// Sine, its square, cosine and versine, as they lie in a buffer: for shaders and flash images.
+    ///
+    /// ```
+    /// use sunglint::{DistantSphere, SUN};
+    ///
+    /// const UNIFORM: [f32; 4] = DistantSphere::<f32>::new(&SUN).to_array();
+    /// assert_eq!(UNIFORM[0], 0.004_650_467_3);
+    /// ```
+    pub const fn to_array(&self) -> [T::Wide; 4] {
+        [self.sin, self.sin_square, self.cos, self.versine]
+    }
 }
 
 impl<T: Float> DistantSphere<T> {
@@ -135,6 +148,7 @@ const fn least_cosine(light: &DistantLight) -> f64 {
 
 /// What [`epic`](crate::epic) needs of a light: radius and distance, not divided by each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnfactoredSphere<T: Real> {
     pub(crate) radius: T::Wide,
     pub(crate) radius_square: T::Wide,

@@ -11,7 +11,8 @@ use crate::scene::SceneError;
 /// Why a constructor did not make what was asked for.
 // 32 bits, whatever a C compiler takes for its enums: bare arm takes one byte, unless it is told otherwise.
 #[repr(u32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Status {
     /// It did.
     Ok = 0,
@@ -35,7 +36,8 @@ pub enum Status {
 
 /// A light for Q14 vectors, or why there is none; then the light is a point.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SphereQ14Made {
     /// Why there is none.
     pub status: Status,
@@ -45,7 +47,8 @@ pub struct SphereQ14Made {
 
 /// A light for Q30 vectors, or why there is none; then the light is a point.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SphereQ30Made {
     /// Why there is none.
     pub status: Status,
@@ -56,6 +59,7 @@ pub struct SphereQ30Made {
 /// A material under one light, or why there is none; then it is black.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PixelQ14Made {
     /// Why there is none.
     pub status: Status,
@@ -65,7 +69,8 @@ pub struct PixelQ14Made {
 
 /// A radiance, or why there is none.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RadianceQ16Made {
     /// Why there is none.
     pub status: Status,

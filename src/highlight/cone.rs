@@ -39,12 +39,14 @@ use crate::vec3::zip;
 /// for `alpha = 0.001` f32 1.1e-5, f16 0.093, I2F14 2.2e-3, I2F30 2.7e-8; for 0.0625 f32 3.4e-7, f16 2.8e-3, I2F14
 /// 1.7e-4, I2F30 2.8e-9.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ConeGgx<T: Real> {
     lobe: Lobe<T::Scalar>,
 }
 
 /// What of the cone hangs on the roughness and the light alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Lobe<S> {
     width: Width<S>,
     /// `b^2`.
@@ -71,6 +73,7 @@ struct Lobe<S> {
 /// the latter from how far apart the two are that `m` lies between, so that nothing cancels where the viewer is about
 /// opposite. Zero where `n.l + n.v` is not above it, which under almost half the sky is an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ShiftedConeGgx<T: Real> {
     cone: ConeGgx<T>,
     sphere: DistantSphere<T>,

@@ -14,6 +14,7 @@ use crate::sphere::DistantSphere;
 ///
 /// For `alpha = 0` the answer is a sharp image of that circle; for `x = 0` it is GGX; for both it is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiscGgx<T: Real> {
     width: Width<T::Scalar>,
     /// `w / (2 b^2)`.
@@ -25,6 +26,7 @@ pub struct DiscGgx<T: Real> {
 
 /// A roughness and a disc in units of the highlight's width `b`, `b^2 = alpha^2 + w/2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Width<S> {
     pub(super) alpha: S,
     /// `sqrt(1 - alpha^2)`.

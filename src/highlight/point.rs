@@ -21,6 +21,7 @@ use crate::sphere::DistantSphere;
 /// For `alpha = 0` the highlight is a sharp image of the disc, of radiance 0 in [`none`](Self::none) (its peak is
 /// infinite) and of the right one in the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PointGgx<T: Real> {
     sphere: DistantSphere<T>,
     alpha: T::Scalar,

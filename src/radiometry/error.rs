@@ -7,6 +7,7 @@ use crate::real::Scalar;
 /// Why a lamp, or a quantity of it, could not be made; holds the value in its own format, so that integer-only code
 /// stays so, and displays the range allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RadiometryError<S> {
     /// The power is negative, NaN or infinite.

@@ -30,7 +30,16 @@ const SUN_RATIO: Constant = Constant::new(SOLAR_RADIUS_KM / ASTRONOMICAL_UNIT_KM
 /// assert!((sun.radiance()?[0] - 46_239.0).abs() < 1.0);
 /// # Ok::<(), sunglint::radiometry::RadiometryError<f32>>(())
 /// ```
+///
+/// With the feature `serde` it has four fields, `centre`, `radius`, `distance` and `colour`, which are checked when they
+/// are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "stored::Fields<S>", bound(deserialize = "S: Scalar + serde::Deserialize<'de>"))
+)]
 pub struct SphereLight<S> {
     centre: [S; 3],
     radius: S,
@@ -240,6 +249,29 @@ impl<S: Scalar> SphereLight<S> {
             Ok(each(radiance, T::level))
         } else {
             Err(RadiometryError::Overflow)
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+mod stored {
+    use super::{RadiometryError, Scalar, SphereLight};
+
+    /// What a file has of a light, before it is checked.
+    #[derive(serde::Deserialize)]
+    #[serde(rename = "SphereLight", deny_unknown_fields)]
+    pub(super) struct Fields<S> {
+        centre: [S; 3],
+        radius: S,
+        distance: S,
+        colour: [S; 3],
+    }
+
+    impl<S: Scalar> TryFrom<Fields<S>> for SphereLight<S> {
+        type Error = RadiometryError<S>;
+
+        fn try_from(fields: Fields<S>) -> Result<Self, RadiometryError<S>> {
+            Self::checked(fields.centre, fields.radius, fields.distance, fields.colour)
         }
     }
 }

@@ -74,6 +74,7 @@ use crate::vec3::each;
 /// ```
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PixelQ14 {
     direction: [i32; 3],
     light: SphereQ14,

@@ -182,6 +182,30 @@ impl Constant {
     }
 }
 
+/// The value alone.
+#[cfg(feature = "defmt")]
+impl defmt::Format for Constant {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=f64}", self.value);
+    }
+}
+
+/// The value alone.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Constant {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_f64(self.value)
+    }
+}
+
+/// The constant nearest to the number read.
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Constant {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        f64::deserialize(deserializer).map(Self::new)
+    }
+}
+
 /// 1/2.
 pub(crate) const HALF: Constant = Constant::new(0.5);
 

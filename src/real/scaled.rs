@@ -83,6 +83,14 @@ impl Scaled {
     }
 }
 
+/// `mantissa * 2^exponent`, both integers: whole, and without a conversion that a chip without an FPU would compute.
+#[cfg(feature = "defmt")]
+impl defmt::Format for Scaled {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=i32} * 2^{=i32}", self.mantissa, self.exponent.wrapping_sub(31));
+    }
+}
+
 impl Add for Scaled {
     type Output = Self;
 

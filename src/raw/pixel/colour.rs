@@ -7,6 +7,7 @@ use crate::vec3::each;
 /// What one channel needs.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Colour {
     /// Bits below Q16 that sums are formed with.
     guard: u32,

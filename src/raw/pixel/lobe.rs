@@ -8,6 +8,7 @@ use crate::real::{HALF, INVERSE_PI, Scalar, Scaled, positive};
 /// A roughness and a disc in units of the highlight's width `b`, `b^2 = alpha^2 + w/2`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Lobe {
     /// `1 / b^2`.
     inverse: Short,

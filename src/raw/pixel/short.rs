@@ -9,6 +9,7 @@ const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")
 /// `mantissa * 2^(exponent - 16)`: the mantissa is below `2^16`, and a constant's 0 or at least `2^15`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Short {
     pub(super) mantissa: u32,
     pub(super) exponent: i32,

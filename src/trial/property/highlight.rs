@@ -90,6 +90,7 @@ impl Shaded {
 }
 
 /// Shades a pixel by both.
+#[derive(Clone, Copy, Debug)]
 pub struct Exact {
     /// The method.
     pub method: Shading,

@@ -65,6 +65,7 @@ fn light() {
     keep((DistantLight::from_angular_radius(a), DistantLight::from_angle(a)));
     let light = black_box(SUN);
     keep((DistantLight::sin(&light), DistantLight::cos(&light), DistantLight::versine(&light)));
+    keep((DistantLight::description(&light), DistantLight::try_from(DistantLight::description(&light))));
     keep((DistantLight::radius(&light), DistantLight::distance(&light), DistantLight::angular_radius(&light)));
     keep((DistantLight::solid_angle(&light), DistantLight::size_factor(&light), DistantLight::radiance(&light, a)));
     keep((DistantLight::white_radiance(&light), DistantLight::size_factor_q48(&light)));

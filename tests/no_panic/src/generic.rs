@@ -75,7 +75,7 @@ fn directions<T: Real>(light: DistantSphere<T>) {
     let (l, r): ([T; 3], [T; 3]) = (vector(), vector());
     let light = black_box(light);
     keep((DistantSphere::sin(&light), DistantSphere::sin_square(&light)));
-    keep((DistantSphere::cos(&light), DistantSphere::versine(&light)));
+    keep((DistantSphere::cos(&light), DistantSphere::versine(&light), DistantSphere::to_array(&light)));
     keep((<T as Real>::cap(l, r, &light), specular::cap(l, r, &light)));
     keep((specular::factored(l, r, &light), specular::disc(l, r, &light)));
     keep((specular::reflect(l, r), specular::normalize(l)));
