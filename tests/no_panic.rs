@@ -5,7 +5,7 @@ mod public_functions;
 
 use std::fs;
 
-use public_functions::{after_generics, public_functions, root, sources};
+use public_functions::{after_generics, module, public_functions, root, sources};
 
 /// Code in which `Type::<T>::name` and `<T as Trait>::name` are `Type::name` and `Trait::name`.
 fn without_generics(code: &str) -> String {
