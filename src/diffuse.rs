@@ -128,7 +128,7 @@ pub fn lambert_disc<T: Real>(albedo: T, illuminance: T::Level, n_dot_l: T::Wide,
 /// |---|---|---|---|---|---|---|---|
 /// | 0.01, as the Sun's | 2.8e-7 | 9.4e-7 | 1.3e-5 | 6.8e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
 /// | 0.5 | 2.8e-7 | 9.7e-7 | 1.7e-5 | 7.2e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
-/// | 1 | 2.8e-7 | 9.7e-7 | 1.7e-5 | 7.2e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
+/// | 1 | 2.8e-7 | 1.1e-6 | 1.7e-5 | 7.2e-3 | 2.9e-7 | 2.9e-7 | 2.9e-7 |
 ///
 /// Beyond half the sky the error is absolute: f64 and fixed point 1.4e-7, f32 1.2e-6, micromath 8.3e-6, f16 7.7e-3 (it
 /// rounds the sine of 181 degrees to 1; `tests/diffuse.rs`).
