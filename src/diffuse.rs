@@ -73,7 +73,7 @@ const MEAN: [Constant; 11] = [
 ///
 /// Worst error in units of the last place (`tests/diffuse.rs`): f64 4.5, f32 and micromath 3.2, f16 3.0; in fixed point
 /// of the level, or of 31 bits where those are coarser: I2F14 and I16F16 0.57, I2F30 2.5. That is for levels up to
-/// 1000; for any level f32 3.3, I2F14 and I16F16 1.4, I2F30 2.9 (`tests/figures.rs`).
+/// 1000; for any level f32 3.3, f16 3.2, I2F14 and I16F16 1.4, I2F30 2.9 (`tests/figures.rs`).
 ///
 /// ```
 /// use sunglint::lambert;

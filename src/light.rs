@@ -204,6 +204,15 @@ impl DistantLight {
     }
 
     /// What it was made of, and by which constructor.
+    ///
+    /// ```
+    /// use sunglint::light::Description;
+    /// use sunglint::{DistantLight, SUN};
+    ///
+    /// assert_eq!(DistantLight::from_ratio(0.05)?.description(), Description::Ratio(0.05));
+    /// assert!(matches!(SUN.description(), Description::RadiusAndDistance { radius: 695_700.0, .. }));
+    /// # Ok::<(), sunglint::LightError>(())
+    /// ```
     pub const fn description(&self) -> Description {
         self.description
     }
