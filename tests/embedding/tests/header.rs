@@ -35,8 +35,18 @@ fn committed() -> PathBuf {
 
 /// The sources, in the order in which the header has them.
 fn sources() -> Vec<PathBuf> {
-    let names =
-        ["../plain", "opaque", "status", "directions", "diffuse", "sampling", "radiometry", "blackbody", "pixel", "soft"];
+    let names = [
+        "../plain",
+        "opaque",
+        "status",
+        "directions",
+        "diffuse",
+        "sampling",
+        "radiometry",
+        "blackbody",
+        "pixel",
+        "soft",
+    ];
     names.iter().map(|name| root().join(format!("src/capi/{name}.rs"))).collect()
 }
 
