@@ -260,7 +260,7 @@ impl DistantLight {
     }
 }
 
-/// Lights are equal that light alike, however they were described.
+/// Equal are lights whose sine, cosine, versine, radius and distance are, whichever constructor made them.
 impl PartialEq for DistantLight {
     fn eq(&self, other: &Self) -> bool {
         let numbers = |light: &Self| [light.sin, light.cos, light.versine, light.radius(), light.distance()];

@@ -23,7 +23,7 @@ use crate::vec3::zip;
 ///
 /// let sun = UnfactoredSphere::<f32>::of(&SUN);
 /// let [x, _, _] = epic([0.0, 0.0, 1.0], [0.6, 0.0, 0.8], &sun);
-/// // 53 degrees beside the light it turns by 0.8 of what it should, whatever the format.
+/// // 37 degrees beside the light it turns by 0.8 of what it should, whatever the format.
 /// assert!((x / (0.8 * 4.65e-3) - 1.0).abs() < 0.01);
 /// ```
 #[inline]

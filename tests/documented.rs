@@ -1,5 +1,10 @@
 //! The tables of errors in the documentation of single functions hold what the searches of `tests/figures.rs` do.
 
+mod public_functions;
+
+use std::collections::BTreeSet;
+
+use public_functions::Function;
 use sunglint::trial::property::figures::Row;
 use sunglint::trial::property::{blackbody, radiometry, sampling};
 
@@ -7,6 +12,7 @@ const SAMPLING: &str = include_str!("../src/sampling.rs");
 const BASIS: &str = include_str!("../src/sampling/basis.rs");
 const TURN: &str = include_str!("../src/sampling/turn.rs");
 const DIFFUSE: &str = include_str!("../src/diffuse.rs");
+const PIXEL: &str = include_str!("../src/raw/pixel.rs");
 const RELATIVE: &str = include_str!("../src/blackbody/relative.rs");
 
 /// The figures of the first row of that name in a file's text after `heading`.
@@ -73,4 +79,43 @@ fn black_bodies_relative_to_their_peak() {
             assert_eq!(documented(RELATIVE, heading, kind), [&floats[..], &[fixed]].concat(), "{budget}");
         }
     }
+}
+
+/// Every error that the header for C states is stated in Rust, of what has the same name but for its format.
+#[test]
+fn errors_in_the_header_are_those_of_rust() {
+    let functions = public_functions::public_functions();
+    let figures = |function: &Function| -> BTreeSet<String> {
+        function.documentation.iter().flat_map(|line| errors(line)).collect()
+    };
+    let mut compared = 0;
+    for function in functions.iter().filter(|function| function.module == "capi") {
+        let name = function.name.strip_prefix("capi::sunglint_").unwrap();
+        let plain = ["_q14", "_q30", "_q16"].iter().fold(name, |name, end| name.trim_end_matches(end));
+        let last = plain.rsplit('_').next().unwrap();
+        let rust = functions.iter().filter(|other| other.module != "capi" && other.name.contains(last));
+        let mut stated: BTreeSet<String> = rust.flat_map(figures).collect();
+        if plain.starts_with("pixel") {
+            // Of the type.
+            stated.extend(errors(PIXEL));
+        }
+        for figure in figures(function) {
+            assert!(stated.contains(&figure), "{name}: {figure} is none of {stated:?}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 20, "{compared}");
+}
+
+/// The numbers of a text that are written as errors are, `1.7e-4`.
+fn errors(text: &str) -> impl Iterator<Item = String> {
+    let words = text.split([' ', ',', ';', ':', '|', '\n']).map(|word| word.trim_end_matches('.'));
+    words.filter(|word| is_error(word)).map(str::to_owned)
+}
+
+fn is_error(word: &str) -> bool {
+    word.split_once("e-").is_some_and(|(digits, power)| {
+        digits.starts_with(|letter: char| letter.is_ascii_digit())
+            && power.chars().all(|letter| letter.is_ascii_digit())
+    })
 }

@@ -62,7 +62,7 @@ mod stored {
     }
 
     #[test]
-    fn however_it_was_described_a_light_is_the_same() {
+    fn lights_of_equal_numbers_are_equal() {
         let half = DistantLight::from_ratio(0.5).unwrap();
         assert_eq!(Ok(half), DistantLight::from_radius_and_distance(0.5, 1.0));
         assert_ne!(Ok(half), DistantLight::from_radius_and_distance(1.0, 2.0));

@@ -1,7 +1,7 @@
 //! The properties that the fuzz targets check, on stable Rust: every case of the corpus, then fresh random ones.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use oorandom::Rand64;
@@ -24,8 +24,14 @@ fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
+/// The fuzzers' folder, also where `tests/miri` has this test.
+fn fuzz() -> PathBuf {
+    let mut above = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|folder| folder.join("fuzz"));
+    above.find(|fuzz| fuzz.join("corpus").is_dir()).expect("the fuzzers' folder")
+}
+
 fn corpus(family: &str) -> Vec<(String, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus").join(family);
+    let folder = fuzz().join("corpus").join(family);
     let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     entries
         .map(|entry| entry.unwrap().path())
@@ -100,7 +106,7 @@ fn raw() {
 #[test]
 fn every_family_has_a_fuzz_target() {
     for (family, _) in FAMILIES {
-        let target = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/fuzz_targets").join(format!("{family}.rs"));
+        let target = fuzz().join("fuzz_targets").join(format!("{family}.rs"));
         let code = fs::read_to_string(&target).unwrap_or_else(|error| panic!("{}: {error}", target.display()));
         assert!(code.contains(&format!("property::{family}")), "{}", target.display());
     }

@@ -1,13 +1,16 @@
 //! What every public type of the core can do: be printed, logged, copied, compared and sent to another thread; and what
 //! every error can. The sources say which types there are, so that none is left out.
 
+mod public_functions;
+
 use std::any::type_name;
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::fmt::{Debug, Display};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use public_functions::sources;
 use sunglint::highlight::{ConeGgx, DiscGgx, Gloss, PointGgx, ShiftedConeGgx};
 use sunglint::light::{Description, DistantLight, LightError};
 use sunglint::material::{Material, MaterialError, Surface};
@@ -72,18 +75,6 @@ fn errors() -> BTreeSet<String> {
         error::<RadiometryError<Scaled>>(),
     ]
     .into()
-}
-
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
-        if entry.is_dir() {
-            files.extend(sources(&entry));
-        } else if entry.extension().is_some_and(|extension| extension == "rs") {
-            files.push(entry);
-        }
-    }
-    files
 }
 
 /// The path of every public structure and enumeration that a source has.

@@ -52,7 +52,7 @@ pub extern "C" fn sunglint_lambert_disc_q30(albedo: i32, illuminance: u64, n_dot
 ///
 /// `n.l` itself where the disc is wholly above the plane, zero where it is wholly below, `2 x / (3 pi)` when its centre
 /// sets, `x` being radius over distance. Relative error 2.9e-7 at every elevation down to the last sliver, before the
-/// rounding to Q28; 7.1e-8 absolute for discs beyond half the sky.
+/// rounding to Q28; 1.4e-7 absolute for discs beyond half the sky.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_relative_illuminance_q14(n_dot_l: i32, light: SphereQ14) -> i32 {
     raw::relative_illuminance_q14(n_dot_l, &light.into())
@@ -62,7 +62,7 @@ pub extern "C" fn sunglint_relative_illuminance_q14(n_dot_l: i32, light: SphereQ
 /// `sunglint_lambert_q30`; the answer in Q60, from 0 to 2^60, of which 31 bits are significant.
 ///
 /// `n.l` itself where the disc is wholly above the plane, zero where it is wholly below, `2 x / (3 pi)` when its centre
-/// sets, `x` being radius over distance. Relative error 2.9e-7 at every elevation down to the last sliver; 7.1e-8
+/// sets, `x` being radius over distance. Relative error 2.9e-7 at every elevation down to the last sliver; 1.4e-7
 /// absolute for discs beyond half the sky.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_relative_illuminance_q30(n_dot_l: i64, light: SphereQ30) -> i64 {

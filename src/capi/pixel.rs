@@ -5,7 +5,7 @@ use crate::raw;
 use crate::scene::Channel;
 
 /// The constants of a material under one light: its centre in the unit `direction`, in Q14; `illuminance`, in unsigned
-/// Q16 and a unit of your choice, what it gives to a surface that faces it. Some thousand instructions, once a light.
+/// Q16 and a unit of your choice, what it gives to a surface that faces it. Once a light.
 ///
 /// `SUNGLINT_ALBEDO`, `SUNGLINT_F0` and `SUNGLINT_ALPHA` where the material is out of its ranges, `SUNGLINT_DIRECTION`
 /// where the direction's length is not within a tenth of 1; the pixel is then black.

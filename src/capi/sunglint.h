@@ -384,7 +384,7 @@ uint64_t sunglint_lambert_disc_q30(int32_t albedo, uint64_t illuminance, int64_t
  *
  * `n.l` itself where the disc is wholly above the plane, zero where it is wholly below, `2 x / (3 pi)` when its centre
  * sets, `x` being radius over distance. Relative error 2.9e-7 at every elevation down to the last sliver, before the
- * rounding to Q28; 7.1e-8 absolute for discs beyond half the sky.
+ * rounding to Q28; 1.4e-7 absolute for discs beyond half the sky.
  */
 int32_t sunglint_relative_illuminance_q14(int32_t n_dot_l, sunglint_sphere_q14_t light);
 
@@ -393,7 +393,7 @@ int32_t sunglint_relative_illuminance_q14(int32_t n_dot_l, sunglint_sphere_q14_t
  * `sunglint_lambert_q30`; the answer in Q60, from 0 to 2^60, of which 31 bits are significant.
  *
  * `n.l` itself where the disc is wholly above the plane, zero where it is wholly below, `2 x / (3 pi)` when its centre
- * sets, `x` being radius over distance. Relative error 2.9e-7 at every elevation down to the last sliver; 7.1e-8
+ * sets, `x` being radius over distance. Relative error 2.9e-7 at every elevation down to the last sliver; 1.4e-7
  * absolute for discs beyond half the sky.
  */
 int64_t sunglint_relative_illuminance_q30(int64_t n_dot_l, sunglint_sphere_q30_t light);
@@ -427,7 +427,7 @@ sunglint_vector_q14_t sunglint_cone_direction_q14(const sunglint_cone_q14_t *con
  * square, as those of `sunglint_point_q30` are. `z` 0 is the centre, 1 the rim; the turn begins at the first vector of
  * `sunglint_basis_q30` and goes towards the second.
  *
- * Error at the Sun at most 1.8e-9 rad, of any disc 4.9e-9; `sunglint_cone_contains_q30` holds for every answer.
+ * Error at the Sun at most 1.9e-9 rad, of any disc 4.9e-9; `sunglint_cone_contains_q30` holds for every answer.
  * Numbers below 0 count as 0, above 1 as 1. Zero where `cone` is NULL.
  */
 sunglint_vector_q30_t sunglint_cone_direction_q30(const sunglint_cone_q30_t *cone, sunglint_point_q30_t point);
@@ -572,7 +572,7 @@ sunglint_colour_q30_t sunglint_tint_q16(uint32_t temperature, sunglint_colour_q1
 
 /**
  * The constants of a material under one light: its centre in the unit `direction`, in Q14; `illuminance`, in unsigned
- * Q16 and a unit of your choice, what it gives to a surface that faces it. Some thousand instructions, once a light.
+ * Q16 and a unit of your choice, what it gives to a surface that faces it. Once a light.
  *
  * `SUNGLINT_ALBEDO`, `SUNGLINT_F0` and `SUNGLINT_ALPHA` where the material is out of its ranges, `SUNGLINT_DIRECTION`
  * where the direction's length is not within a tenth of 1; the pixel is then black.

@@ -100,7 +100,7 @@ impl PixelQ14 {
     };
 
     /// The constants of a light whose centre is in the unit `direction`, Q14, and that gives a surface which faces it
-    /// `illuminance` in red, green and blue, Q16. Some thousand instructions in [`Scaled`] numbers, once a light.
+    /// `illuminance` in red, green and blue, Q16. In [`Scaled`] numbers, once a light.
     ///
     /// ```
     /// use sunglint::raw::{PixelQ14, SUN_Q14, surface_q14};

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use cbindgen::{Config, DocumentationStyle, Language, RenameRule, Style};
+use embedding::library::root;
 use embedding::tools::found;
 use sunglint::capi::{self, ConeQ14, ConeQ30, PixelQ14};
 use sunglint::raw::{SUN_Q14, SUN_Q30};
@@ -24,10 +25,6 @@ const ABOUT: &str = "\
  *
  * Made of src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
  */";
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 fn committed() -> PathBuf {
     root().join("src/capi/sunglint.h")

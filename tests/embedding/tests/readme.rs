@@ -1,14 +1,11 @@
 //! The README's sections for embedders, done as they say: files saved and commands run, in an empty folder.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
+use embedding::library::root;
 use embedding::tools;
-
-fn project() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
-}
 
 /// What a section asks for, in its order.
 enum Step {
@@ -19,7 +16,7 @@ enum Step {
 
 /// The lines of a section, without its title.
 fn section(title: &str) -> Vec<String> {
-    let readme = fs::read_to_string(project().join("README.md")).unwrap();
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
     let title = format!("## {title}");
     let lines = readme.lines().skip_while(|line| *line != title).skip(1);
     lines.take_while(|line| !line.starts_with("## ")).map(str::to_owned).collect()
@@ -56,7 +53,7 @@ fn steps(lines: &[String]) -> Vec<Step> {
 
 fn runs(folder: &Path, commands: &str) -> String {
     let mut bash = Command::new("bash");
-    bash.args(["-euo", "pipefail", "-c", commands]).current_dir(folder).env("SUNGLINT", project());
+    bash.args(["-euo", "pipefail", "-c", commands]).current_dir(folder).env("SUNGLINT", root());
     // What cargo says to tests is not for what they start.
     let output = bash.env_remove("CARGO_TARGET_DIR").env_remove("RUSTUP_TOOLCHAIN").output().unwrap();
     assert!(output.status.success(), "{commands}\n{}", String::from_utf8_lossy(&output.stderr));
@@ -67,7 +64,7 @@ fn runs(folder: &Path, commands: &str) -> String {
 fn works(title: &str, built: Option<&str>) {
     let folder = tempfile::tempdir().unwrap();
     if let Some(built) = built {
-        std::os::unix::fs::symlink(project().join(built), folder.path().join("target")).unwrap();
+        std::os::unix::fs::symlink(root().join(built), folder.path().join("target")).unwrap();
     }
     let steps = steps(&section(title));
     assert!(steps.iter().any(|step| matches!(step, Step::Run(_))), "{title} has no command");

@@ -5,16 +5,16 @@ use sunglint::trial::chip::{Case, pixels};
 use sunglint::trial::{Format, Visitor};
 use sunglint::{DistantSphere, Real, SUN, cap, reflect, soft};
 
-type Vector = [f64; 3];
+pub type Vector = [f64; 3];
 
 /// Where the images' own Sun is.
-const SUN_AT: Vector = [0.6, 0.0, 0.8];
+pub const SUN_AT: Vector = [0.6, 0.0, 0.8];
 
 /// Normal, to the viewer and to the light.
-type Seen = [Vector; 3];
+pub type Seen = [Vector; 3];
 
 /// 512 of them: the mirror ray inside the Sun's disc and outside, and the Sun astride the horizon.
-fn seen() -> impl Iterator<Item = Seen> {
+pub fn seen() -> impl Iterator<Item = Seen> {
     Case::ALL.into_iter().flat_map(pixels).enumerate().map(|(index, pixel)| {
         let [n, v] = [pixel.n, pixel.v].map(|w| mirrored(w, pixel.l));
         if index % 8 > 0 {

@@ -6,6 +6,7 @@ mod elf;
 mod image;
 mod inputs;
 mod line;
+mod pixels;
 mod ram;
 
 use std::collections::HashMap;
