@@ -165,7 +165,8 @@ pub struct SoftShadow {
     pub mean_cosine: i32,
 }
 
-/// A light's constants for Q14 vectors, each in Q28.
+/// A light's constants for Q14 vectors, each in Q28, as a constructor or a constant has them; of other numbers, zeros
+/// too, answers mean nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
@@ -181,7 +182,8 @@ pub struct SphereQ14 {
     pub versine: i32,
 }
 
-/// A light's constants for Q30 vectors, each in Q60.
+/// A light's constants for Q30 vectors, each in Q60, as a constructor or a constant has them; of other numbers, zeros
+/// too, answers mean nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]

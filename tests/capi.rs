@@ -374,6 +374,7 @@ fn a_cone_of_zeros_has_directions_of_zero() {
     for _ in 0..CASES {
         let point = PointQ14 { z: source.bits() as i16, turn: source.bits() as i16 };
         assert_eq!(sunglint_cone_direction_q14(Some(&cone), point), VectorQ14::default());
+        assert!(sunglint_cone_contains_q14(Some(&cone), raw::normalize_q14(source.lanes_q14()).into()));
         let point = PointQ30 { z: source.bits() as i32, turn: source.bits() as i32 };
         assert_eq!(sunglint_cone_direction_q30(Some(&wide), point), VectorQ30::default());
     }

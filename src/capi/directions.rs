@@ -27,9 +27,9 @@ pub extern "C" fn sunglint_sphere_q30(ratio: i32) -> SphereQ30Made {
 /// unit mirror ray `r` (see `sunglint_reflect_q14`) by the angle between them, but by no more than the light's angular
 /// radius. The default.
 ///
-/// Error at the Sun at most 6.2e-5 rad, the step of Q14 being 6.1e-5; at most 1.7e-4 off length 1. At `r = -l` the
-/// answer is `l`. A zero `r` gives zero, a zero `l` gives `x r`, `x` being radius over distance. Vectors longer than
-/// 1.16 give some direction.
+/// Error at the Sun at most 6.2e-5 rad, the step of Q14 being 6.1e-5; at most 1.7e-4 off length 1. Within a step of
+/// `-l` it is some direction of the rim, and at `r = -l` it is `l`. A zero `r` gives zero, a zero `l` gives `x r`, `x`
+/// being radius over distance. Vectors longer than 1.16 give some direction.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_cap_q14(l: VectorQ14, r: VectorQ14, light: SphereQ14) -> VectorQ14 {
     raw::cap_q14(l.into(), r.into(), &light.into()).into()
@@ -39,9 +39,9 @@ pub extern "C" fn sunglint_cap_q14(l: VectorQ14, r: VectorQ14, light: SphereQ14)
 /// unit mirror ray `r` (see `sunglint_reflect_q30`) by the angle between them, but by no more than the light's angular
 /// radius. The default.
 ///
-/// Error at the Sun at most 1.5e-9 rad, the step of Q30 being 9.3e-10; at most 3.0e-9 off length 1. At `r = -l` the
-/// answer is `l`. A zero `r` gives zero, a zero `l` gives `x r`, `x` being radius over distance. Vectors longer than
-/// 1.16 give some direction.
+/// Error at the Sun at most 1.5e-9 rad, the step of Q30 being 9.3e-10; at most 3.0e-9 off length 1. Within a step of
+/// `-l` it is some direction of the rim, and at `r = -l` it is `l`. A zero `r` gives zero, a zero `l` gives `x r`, `x`
+/// being radius over distance. Vectors longer than 1.16 give some direction.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_cap_q30(l: VectorQ30, r: VectorQ30, light: SphereQ30) -> VectorQ30 {
     raw::cap_q30(l.into(), r.into(), &light.into()).into()

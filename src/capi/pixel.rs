@@ -32,7 +32,8 @@ pub extern "C" fn sunglint_pixel_q14(
 ///
 /// Within 6e-5 of the diffuse part, 6e-4 of the highlight (root mean square 4e-5) times the formula's condition, which
 /// is 2 away from the disc's image and grows at the rim of a sharp one and near the horizon, 2e-5 of what the highlight
-/// would be with a reflectance of 1, and 0.6 of the last place. No highlight where `n.v` or `n.l` is at most 2^-14.
+/// would be with a reflectance of 1, and 0.6 of the last place. No highlight where `n.v` or `n.l` is at most 2^-14,
+/// nor for a mirror (`alpha` 0) under a point. For more lights add up their pixels, saturating.
 /// Black where the surface faces away from the camera, and where `pixel` is NULL; what is too great is 2^32 - 1.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_pixel_q14_shade(pixel: Option<&PixelQ14>, n: VectorQ14, v: VectorQ14) -> ColourQ16 {

@@ -3,14 +3,14 @@
  *
  * Vectors are Q14 (16384 is 1) or Q30 (1073741824 is 1) and, where a unit vector is asked for, of length 1 give or take
  * a rounding; up to 1.16 nothing overflows, and longer ones give some finite answer. Quantities of light are unsigned
- * Q16 (65536 is 1) or, where they are at most 1, Q30. Bounds of errors are against exact arithmetic on the same
- * arguments.
+ * Q16 (65536 is 1), those of Lambert's law beside Q30 vectors Q32; what is at most 1 is Q30, and relative illuminance
+ * in the scale of a dot product, Q28 or Q60. Bounds of errors are against exact arithmetic on the same arguments.
  *
- * Any argument has the answer that its function documents, NULL included; other pointers have to be valid. What may be
+ * No argument does harm, as long as pointers are NULL or valid; NULL has the answer that is documented. What may be
  * refused comes beside a status, SUNGLINT_OK being 0. Nothing allocates, keeps a state, sets errno or calls the C
  * library's mathematics; all functions may be called from threads and interrupts at once.
  *
- * Made of src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
+ * C99 or C++11. Made of src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
  */
 
 #ifndef SUNGLINT_H
@@ -59,7 +59,10 @@ typedef uint32_t sunglint_status_t;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/** A light's constants for Q14 vectors, each in Q28. */
+/**
+ * A light's constants for Q14 vectors, each in Q28, as a constructor or a constant has them; of other numbers, zeros
+ * too, answers mean nothing.
+ */
 typedef struct {
     /** Sine of the angular radius, which is radius over distance. */
     int32_t sin;
@@ -79,7 +82,10 @@ typedef struct {
     sunglint_sphere_q14_t sphere;
 } sunglint_sphere_q14_made_t;
 
-/** A light's constants for Q30 vectors, each in Q60. */
+/**
+ * A light's constants for Q30 vectors, each in Q60, as a constructor or a constant has them; of other numbers, zeros
+ * too, answers mean nothing.
+ */
 typedef struct {
     /** Sine of the angular radius, which is radius over distance. */
     int64_t sin;
@@ -120,16 +126,16 @@ typedef struct {
 } sunglint_vector_q30_t;
 
 /**
- * The directions to a light for Q14 vectors. Made by `sunglint_cone_q14` alone, whose words are not to be changed; all
- * words zero has zero for its directions.
+ * The directions to a light for Q14 vectors. Made by `sunglint_cone_q14` alone; its words are not to be changed. All
+ * words zero has zero for its directions and contains every one.
  */
 typedef struct {
     uint32_t opaque[19];
 } sunglint_cone_q14_t;
 
 /**
- * The directions to a light for Q30 vectors. Made by `sunglint_cone_q30` alone, whose words are not to be changed; all
- * words zero has zero for its directions.
+ * The directions to a light for Q30 vectors. Made by `sunglint_cone_q30` alone; its words are not to be changed. All
+ * words zero has zero for its directions and contains every one.
  */
 typedef struct {
     uint32_t opaque[24];
@@ -175,10 +181,16 @@ typedef struct {
     int32_t mean_cosine;
 } sunglint_soft_shadow_t;
 
-/** Asked whether the way from the surface into `direction` is free; `user` is what the caller gave. */
+/**
+ * Asked whether the way from the surface into `direction` is free; `user` is what the caller gave. It has to
+ * return, without an exception or a jump, and may call any function here, but not change the cone.
+ */
 typedef bool (*sunglint_sees_q14_t)(sunglint_vector_q14_t direction, void *user);
 
-/** Asked whether the way from the surface into `direction` is free; `user` is what the caller gave. */
+/**
+ * Asked whether the way from the surface into `direction` is free; `user` is what the caller gave. It has to
+ * return, without an exception or a jump, and may call any function here, but not change the cone.
+ */
 typedef bool (*sunglint_sees_q30_t)(sunglint_vector_q30_t direction, void *user);
 
 /** A radiance, or why there is none. */
@@ -269,9 +281,9 @@ sunglint_sphere_q30_made_t sunglint_sphere_q30(int32_t ratio);
  * unit mirror ray `r` (see `sunglint_reflect_q14`) by the angle between them, but by no more than the light's angular
  * radius. The default.
  *
- * Error at the Sun at most 6.2e-5 rad, the step of Q14 being 6.1e-5; at most 1.7e-4 off length 1. At `r = -l` the
- * answer is `l`. A zero `r` gives zero, a zero `l` gives `x r`, `x` being radius over distance. Vectors longer than
- * 1.16 give some direction.
+ * Error at the Sun at most 6.2e-5 rad, the step of Q14 being 6.1e-5; at most 1.7e-4 off length 1. Within a step of
+ * `-l` it is some direction of the rim, and at `r = -l` it is `l`. A zero `r` gives zero, a zero `l` gives `x r`, `x`
+ * being radius over distance. Vectors longer than 1.16 give some direction.
  */
 sunglint_vector_q14_t sunglint_cap_q14(sunglint_vector_q14_t l, sunglint_vector_q14_t r, sunglint_sphere_q14_t light);
 
@@ -280,9 +292,9 @@ sunglint_vector_q14_t sunglint_cap_q14(sunglint_vector_q14_t l, sunglint_vector_
  * unit mirror ray `r` (see `sunglint_reflect_q30`) by the angle between them, but by no more than the light's angular
  * radius. The default.
  *
- * Error at the Sun at most 1.5e-9 rad, the step of Q30 being 9.3e-10; at most 3.0e-9 off length 1. At `r = -l` the
- * answer is `l`. A zero `r` gives zero, a zero `l` gives `x r`, `x` being radius over distance. Vectors longer than
- * 1.16 give some direction.
+ * Error at the Sun at most 1.5e-9 rad, the step of Q30 being 9.3e-10; at most 3.0e-9 off length 1. Within a step of
+ * `-l` it is some direction of the rim, and at `r = -l` it is `l`. A zero `r` gives zero, a zero `l` gives `x r`, `x`
+ * being radius over distance. Vectors longer than 1.16 give some direction.
  */
 sunglint_vector_q30_t sunglint_cap_q30(sunglint_vector_q30_t l, sunglint_vector_q30_t r, sunglint_sphere_q30_t light);
 
@@ -589,7 +601,8 @@ sunglint_pixel_q14_made_t sunglint_pixel_q14(sunglint_vector_q14_t direction,
  *
  * Within 6e-5 of the diffuse part, 6e-4 of the highlight (root mean square 4e-5) times the formula's condition, which
  * is 2 away from the disc's image and grows at the rim of a sharp one and near the horizon, 2e-5 of what the highlight
- * would be with a reflectance of 1, and 0.6 of the last place. No highlight where `n.v` or `n.l` is at most 2^-14.
+ * would be with a reflectance of 1, and 0.6 of the last place. No highlight where `n.v` or `n.l` is at most 2^-14,
+ * nor for a mirror (`alpha` 0) under a point. For more lights add up their pixels, saturating.
  * Black where the surface faces away from the camera, and where `pixel` is NULL; what is too great is 2^32 - 1.
  */
 sunglint_colour_q16_t sunglint_pixel_q14_shade(const sunglint_pixel_q14_t *pixel,

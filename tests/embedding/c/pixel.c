@@ -43,6 +43,8 @@ static void shade(struct source *source, uint32_t *hash, const sunglint_pixel_q1
         v = from < 4 ? sunglint_reflect_q14(n, l) : sunglint_normalize_q14(v);
     }
     uint32_t channel = bits(source) & 3;
+    /* Of 16 bits it would be red. */
+    channel = channel == 3 ? 65536 : channel;
     sunglint_colour_q16_t colour = sunglint_pixel_q14_shade(pixel, n, v);
     add_32(hash, colour.red);
     add_32(hash, colour.green);

@@ -16,14 +16,14 @@ const ABOUT: &str = "\
  *
  * Vectors are Q14 (16384 is 1) or Q30 (1073741824 is 1) and, where a unit vector is asked for, of length 1 give or take
  * a rounding; up to 1.16 nothing overflows, and longer ones give some finite answer. Quantities of light are unsigned
- * Q16 (65536 is 1) or, where they are at most 1, Q30. Bounds of errors are against exact arithmetic on the same
- * arguments.
+ * Q16 (65536 is 1), those of Lambert's law beside Q30 vectors Q32; what is at most 1 is Q30, and relative illuminance
+ * in the scale of a dot product, Q28 or Q60. Bounds of errors are against exact arithmetic on the same arguments.
  *
- * Any argument has the answer that its function documents, NULL included; other pointers have to be valid. What may be
+ * No argument does harm, as long as pointers are NULL or valid; NULL has the answer that is documented. What may be
  * refused comes beside a status, SUNGLINT_OK being 0. Nothing allocates, keeps a state, sets errno or calls the C
  * library's mathematics; all functions may be called from threads and interrupts at once.
  *
- * Made of src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
+ * C99 or C++11. Made of src/capi by tests/embedding/tests/header.rs, which checks it; do not edit.
  */";
 
 fn committed() -> PathBuf {
