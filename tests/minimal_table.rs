@@ -70,8 +70,8 @@ const fn advice(chips: &'static str, take: &'static str, format: Option<Format>,
 const CHIPS: [Advice; 9] = [
     advice("Cortex-M0, M0+ (RP2040)", "I2F14", Some(Format::I2F14), Some(0)),
     advice("the same, finer", "I2F30", Some(Format::I2F30), Some(0)),
-    advice("Cortex-M3", "I2F30", Some(Format::I2F30), Some(1)),
-    advice("Cortex-M4F", "f32", Some(Format::F32), Some(2)),
+    advice("Cortex-M3 (STM32F1)", "I2F30", Some(Format::I2F30), Some(1)),
+    advice("Cortex-M4F (STM32F4, nRF52)", "f32", Some(Format::F32), Some(2)),
     advice("riscv32imc (ESP32-C3)", "I2F14", Some(Format::I2F14), Some(3)),
     advice("ARM7TDMI (GBA)", "I2F14", Some(Format::I2F14), None),
     advice("Cortex-M33 (RP2350), M7", "f32", Some(Format::F32), None),
@@ -125,7 +125,7 @@ fn reasons_are_as_measured() {
     let smaller = flash(Format::I2F30, 1) - flash(Format::I2F14, 1);
     let reasons = [
         format!("a {of_instructions}th of f32's instructions"),
-        format!("{fewer} more than I2F14, which has {smaller} bytes less"),
+        format!("{fewer} instructions and {smaller} bytes more than I2F14"),
         format!("I2F30 takes {}", instructions(Format::I2F30, Core::M4)),
         format!("I2F30 is {} bytes, f32 by software {}", flash(Format::I2F30, 3), flash(Format::F32, 3)),
     ];

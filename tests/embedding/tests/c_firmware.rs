@@ -150,7 +150,14 @@ fn a_planted_panic_is_found() {
     if M0_PLUS.found() {
         let library = Path::new(env!("CARGO_TARGET_TMPDIR")).join("libplanted_panic.a");
         let mut compiler = Command::new("rustc");
-        compiler.args(["--edition=2024", "--crate-type=staticlib", "-Copt-level=s", "-Clto=fat", "-Cpanic=abort", "--target"]);
+        compiler.args([
+            "--edition=2024",
+            "--crate-type=staticlib",
+            "-Copt-level=s",
+            "-Clto=fat",
+            "-Cpanic=abort",
+            "--target",
+        ]);
         compiler.arg(M0_PLUS.target).arg("c/planted_panic.rs").arg("-o").arg(&library);
         succeed(&mut compiler);
         let planted = M0_PLUS.build("planted_panic", &["minimal.c"], &library);

@@ -15,6 +15,7 @@ pub fn colour(lit: &[PixelQ14; 4], [x, y]: [i32; 2], [cos, sin]: [i32; 2]) -> Rg
     let [east, north] = [(15 * x - 6 * y) >> 4, (6 * x + 15 * y) >> 4]; // the axis leans
     let place = [(east * cos + z * sin) >> 14, north, (z * cos - east * sin) >> 14];
     let [r, g, b] = lit[ground(place)].shade([x as i16, y as i16, z as i16], [0, 0, 16_384]);
+    // The Sun is at (-2, 1, 2) / 3, as in planet.rs.
     let air = (((y - 2 * x + 2 * z + 4000).max(0) >> 8) * ((16_384 - z).pow(2) >> 14)) as u32;
     let [r, g, b] = [(r, air >> 7), (g, air >> 6), (b, air >> 5)].map(|(ground, air)| {
         let level = ground.min(1 << 22) + air;

@@ -10,7 +10,7 @@ pub fn host() -> Vec<u8> {
 
 /// One frame for each turn.
 pub fn drawn() -> [Frame; TURNS.len()] {
-    let lit = planet::lit().expect("materials are in range");
+    let lit = planet::lit().expect("materials and the Sun are in range");
     TURNS.map(|turn| {
         let mut frame = Frame::new();
         let Ok(()) = ball::draw(&mut frame, &lit, turn);
