@@ -104,12 +104,12 @@ impl<T: Real> Cone<T> {
     ///
     /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
     /// |---|---|---|---|---|---|---|---|
-    /// | 0.01 rad, as the Sun | 3.2e-16 | 1.1e-7 | 1.5e-7 | 9.5e-4 | 1.7e-4 | 1.9e-9 | 3.1e-5 |
-    /// | the same over the Sun's radius | 6.9e-14 | 2.4e-5 | 3.3e-5 | 0.21 | 0.037 | 4.1e-7 | 6.7e-3 |
-    /// | 0.5 rad | 6.2e-16 | 2.5e-7 | 4.3e-6 | 2.0e-3 | 1.7e-4 | 2.3e-9 | 3.7e-5 |
-    /// | half the sky | 1.6e-15 | 5.6e-7 | 5.3e-6 | 5.3e-3 | 2.7e-4 | 3.9e-9 | 6.5e-5 |
-    /// | the full sphere | 1.7e-15 | 6.7e-7 | 2.1e-5 | 5.3e-3 | 2.7e-4 | 4.9e-9 | 6.5e-5 |
-    /// | any, the length's difference from 1 | 8.8e-16 | 4.8e-7 | 1.1e-5 | 3.6e-3 | 1.3e-4 | 3.3e-9 | 3.0e-5 |
+    /// | 0.01 rad, as the Sun | 3.4e-16 | 1.2e-7 | 1.5e-7 | 9.8e-4 | 1.7e-4 | 1.9e-9 | 3.1e-5 |
+    /// | the same over the Sun's radius | 7.4e-14 | 2.6e-5 | 3.3e-5 | 0.22 | 0.037 | 4.1e-7 | 6.7e-3 |
+    /// | 0.5 rad | 6.2e-16 | 2.6e-7 | 4.3e-6 | 2.0e-3 | 1.7e-4 | 2.8e-9 | 3.7e-5 |
+    /// | half the sky | 1.6e-15 | 6.0e-7 | 5.3e-6 | 5.3e-3 | 2.7e-4 | 3.9e-9 | 7.3e-5 |
+    /// | the full sphere | 1.8e-15 | 6.7e-7 | 2.1e-5 | 5.7e-3 | 2.7e-4 | 5.0e-9 | 7.3e-5 |
+    /// | any, the length's difference from 1 | 8.8e-16 | 4.8e-7 | 1.1e-5 | 3.6e-3 | 1.3e-4 | 3.5e-9 | 3.1e-5 |
     ///
     /// The worst are samples of the rim that have been moved inwards; the root mean square at the Sun is a
     /// quarter to an eighth of that (f32 1.5e-8, I2F14 2.6e-5).
@@ -145,10 +145,10 @@ impl<T: Real> Cone<T> {
     ///
     /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
     /// |---|---|---|---|---|---|---|---|
-    /// | 0.01 rad, as the Sun | 5.9e-18 | 1.5e-9 | 1.5e-9 | 2.1e-4 | 2.9e-6 | 1.2e-11 | 1.2e-7 |
-    /// | 0.5 rad | 2.5e-16 | 7.8e-8 | 7.9e-8 | 6.5e-4 | 2.0e-5 | 5.4e-10 | 5.8e-6 |
-    /// | half the sky | 7.5e-16 | 3.5e-7 | 3.5e-7 | 2.6e-3 | 8.9e-5 | 1.3e-9 | 2.6e-5 |
-    /// | the full sphere | 1.0e-15 | 3.5e-7 | 3.5e-7 | 2.6e-3 | 8.9e-5 | 1.6e-9 | 2.6e-5 |
+    /// | 0.01 rad, as the Sun | 5.9e-18 | 1.6e-9 | 1.6e-9 | 2.1e-4 | 3.2e-6 | 1.4e-11 | 1.2e-7 |
+    /// | 0.5 rad | 2.5e-16 | 8.0e-8 | 8.2e-8 | 6.5e-4 | 2.6e-5 | 6.0e-10 | 5.8e-6 |
+    /// | half the sky | 7.5e-16 | 3.6e-7 | 3.6e-7 | 2.6e-3 | 8.9e-5 | 1.4e-9 | 2.6e-5 |
+    /// | the full sphere | 1.0e-15 | 3.6e-7 | 3.6e-7 | 3.0e-3 | 8.9e-5 | 1.6e-9 | 2.6e-5 |
     ///
     /// A disc below 0.001 rad, or so near to the full sphere, is finer than the lights of the narrow formats: there up
     /// to 4.8e-4 in f16, 6.8e-5 in I2F14 and 1.7e-5 in I16F16. In f32 and micromath a disc below 0.001 rad has up to
@@ -175,7 +175,7 @@ impl<T: Real> Cone<T> {
     /// The solid angle `2 pi w` in steradians, in f16 subnormal below `x = 0.0044`.
     ///
     /// Relative error of it, as `tests/figures.rs` asserts for angular radii from 1e-5 (I2F14 and I16F16 0.001, f16
-    /// 0.0045) up to the full sphere: f64 1.2e-15, f32 and micromath 3.6e-7, f16 2.8e-3, I2F14 4.2e-6, I2F30 2.6e-9,
+    /// 0.0045) up to the full sphere: f64 1.3e-15, f32 and micromath 3.6e-7, f16 2.8e-3, I2F14 4.2e-6, I2F30 2.7e-9,
     /// I16F16 2.7e-7.
     ///
     /// ```

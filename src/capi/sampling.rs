@@ -39,7 +39,7 @@ pub extern "C" fn sunglint_cone_direction_q14(cone: Option<&ConeQ14>, point: Poi
 /// square, as those of `sunglint_point_q30` are. `z` 0 is the centre, 1 the rim; the turn begins at the first vector of
 /// `sunglint_basis_q30` and goes towards the second.
 ///
-/// Error at the Sun at most 1.9e-9 rad, of any disc 4.9e-9; `sunglint_cone_contains_q30` holds for every answer.
+/// Error at the Sun at most 1.9e-9 rad, of any disc 5.0e-9; `sunglint_cone_contains_q30` holds for every answer.
 /// Numbers below 0 count as 0, above 1 as 1. Zero where `cone` is NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn sunglint_cone_direction_q30(cone: Option<&ConeQ30>, point: PointQ30) -> VectorQ30 {

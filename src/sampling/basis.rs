@@ -21,7 +21,7 @@ use crate::vec3::each;
 ///
 /// | | f64 | f32 | micromath | f16 | I2F14 | I2F30 | I16F16 |
 /// |---|---|---|---|---|---|---|---|
-/// | worst | 5.0e-16 | 1.3e-7 | 1.3e-7 | 1.2e-3 | 1.5e-4 | 2.3e-9 | 3.7e-5 |
+/// | worst | 5.0e-16 | 1.4e-7 | 1.4e-7 | 1.2e-3 | 1.5e-4 | 2.3e-9 | 3.7e-5 |
 ///
 /// For an `l` that is zero, not finite or longer than 2 the answer is that of the z axis.
 ///

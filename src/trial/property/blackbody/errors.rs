@@ -19,7 +19,7 @@ const TOTAL: usize = 7;
 pub const BUDGETS: [Row; TOTAL + 1] = [
     ("wavelength over the peak's, relative", [2.1e-15, 9.2e-7, 9.2e-7, 5.6e-3, 7.8e-9, 7.8e-9, 7.8e-9]),
     ("frequency over the peak's, relative", [1.6e-15, 7.4e-7, 7.4e-7, 4.7e-3, 4.2e-9, 4.2e-9, 4.2e-9]),
-    ("wavelength over the peak's, absolute", [1e-15, 3.7e-7, 3.7e-7, 2e-3, 2.9e-9, 2.9e-9, 2.9e-9]),
+    ("wavelength over the peak's, absolute", [1.3e-15, 3.7e-7, 3.7e-7, 2e-3, 2.9e-9, 2.9e-9, 2.9e-9]),
     ("frequency over the peak's, absolute", [8.8e-16, 3.3e-7, 3.3e-7, 2.1e-3, 2.5e-9, 2.5e-9, 2.5e-9]),
     ("tint", [8.8e-15, 1.3e-6, 1.3e-6, 9.5e-3, 9.9e-9, 9.9e-9, 9.9e-9]),
     ("Planck's law by wavelength", [1.7e-15, 8.6e-7, 8.6e-7, 0.0, 7.3e-9, 7.3e-9, 7.3e-9]),
