@@ -151,8 +151,8 @@ impl<T: Real> Cone<T> {
     /// | the full sphere | 1.0e-15 | 3.6e-7 | 3.6e-7 | 3.0e-3 | 8.9e-5 | 1.6e-9 | 2.6e-5 |
     ///
     /// A disc below 0.001 rad, or so near to the full sphere, is finer than the lights of the narrow formats: there up
-    /// to 4.8e-4 in f16, 6.8e-5 in I2F14, 1.8e-5 in I16F16 and 1.1e-9 in I2F30. In f32 and micromath a disc below 0.001 rad has up to
-    /// 3.1e-9.
+    /// to 4.8e-4 in f16, 6.8e-5 in I2F14, 1.8e-5 in I16F16 and 1.1e-9 in I2F30. In f32 and micromath a disc below
+    /// 0.001 rad has up to 3.1e-9.
     ///
     /// False for NaN and infinities.
     ///
