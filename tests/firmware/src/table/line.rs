@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::committed::{self, is_off};
+
 /// Names of a core's figures.
 const FIGURES: [&str; 5] = ["median", "worst", "stack", "text", "rodata"];
 
@@ -34,19 +36,6 @@ pub fn count(text: &str) -> Option<(Key, Option<[u32; 3]>, &str)> {
         _ => return None,
     };
     Some((key(&columns)?, numbers(counts)?, note))
-}
-
-/// A line of the committed table.
-pub fn committed(text: &str) -> Option<Line> {
-    let columns: Vec<_> = text.split(',').collect();
-    if columns.len() != 21 {
-        return None;
-    }
-    let mut costs = [None; 3];
-    for (core, cost) in costs.iter_mut().enumerate() {
-        *cost = numbers(&columns[5 + 5 * core..10 + 5 * core])?;
-    }
-    Some(Line { key: key(&columns)?, costs, note: columns[20].to_owned() })
 }
 
 fn key(columns: &[&str]) -> Option<Key> {
@@ -82,9 +71,32 @@ impl Line {
             self.note += &format!("{separator}{note}");
         }
     }
+}
+
+impl committed::Line for Line {
+    const HEADER: &str = "function,format,by,case,inputs,\
+        m0_median,m0_worst,m0_stack,m0_text,m0_rodata,\
+        m3_median,m3_worst,m3_stack,m3_text,m3_rodata,\
+        m4_median,m4_worst,m4_stack,m4_text,m4_rodata,note";
+
+    fn key(&self) -> String {
+        format!("{},{}", self.key, self.key.inputs)
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let columns: Vec<_> = text.split(',').collect();
+        if columns.len() != 21 {
+            return None;
+        }
+        let mut costs = [None; 3];
+        for (core, cost) in costs.iter_mut().enumerate() {
+            *cost = numbers(&columns[5 + 5 * core..10 + 5 * core])?;
+        }
+        Some(Line { key: key(&columns)?, costs, note: columns[20].to_owned() })
+    }
 
     /// Figures that are off from those `before` by more than 2 % and by more than 1.
-    pub fn against(&self, before: &Self) -> Vec<String> {
+    fn against(&self, before: &Self) -> Vec<String> {
         let mut complaints = Vec::new();
         for (core, name) in CORES.into_iter().enumerate() {
             let (now, was) = match (self.costs[core], before.costs[core]) {
@@ -97,8 +109,7 @@ impl Line {
                 }
             };
             for (figure, (now, was)) in FIGURES.into_iter().zip(now.into_iter().zip(was)) {
-                let off = now.abs_diff(was);
-                if off > 1 && u64::from(off) * 50 > u64::from(was) {
+                if is_off(now, was, 1) {
                     complaints.push(format!("{} on {name}: {figure} {now}, in the table {was}", self.key));
                 }
             }

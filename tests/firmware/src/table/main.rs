@@ -1,6 +1,8 @@
 //! `table <folder of fresh counts and linked functions> <committed table>`: puts what has been counted and linked on
 //! all cores together and compares it with the committed table; with `SUNGLINT_RECORD=1` it writes that instead.
 
+#[path = "../committed.rs"]
+mod committed;
 mod elf;
 mod line;
 
@@ -13,18 +15,12 @@ use line::{Key, Line};
 /// In the order of the table's columns.
 const TARGETS: [&str; 3] = ["thumbv6m-none-eabi", "thumbv7m-none-eabi", "thumbv7em-none-eabihf"];
 
-const HEADER: &str = "function,format,by,case,inputs,\
-    m0_median,m0_worst,m0_stack,m0_text,m0_rodata,\
-    m3_median,m3_worst,m3_stack,m3_text,m3_rodata,\
-    m4_median,m4_worst,m4_stack,m4_text,m4_rodata,note";
-
 /// What the smallest image may take on the smallest core.
 const FLASH: u32 = 1024;
 
 fn main() -> ExitCode {
-    let [fresh, committed] = [1, 2].map(|index| PathBuf::from(std::env::args().nth(index).expect("two paths")));
+    let [fresh, table] = [1, 2].map(|index| PathBuf::from(std::env::args().nth(index).expect("two paths")));
     let lines = measured(&fresh);
-    let table = std::fs::read_to_string(&committed).expect("the committed table");
     for target in TARGETS {
         let [text, rodata] = elf::bytes(&fresh.join(target).join("flash.elf"));
         println!("{target}: cap_q14 and normalize_q14 together {text} + {rodata} bytes");
@@ -33,20 +29,7 @@ fn main() -> ExitCode {
             return ExitCode::FAILURE;
         }
     }
-    if std::env::var("SUNGLINT_RECORD").is_ok_and(|value| value == "1") {
-        let text: Vec<_> = lines.iter().map(|line| format!("{line}\n")).collect();
-        std::fs::write(&committed, format!("{HEADER}\n{}", text.concat())).expect("the table can be written");
-        println!("{} lines written", lines.len());
-        return ExitCode::SUCCESS;
-    }
-    let complaints = compare(&lines, &table);
-    complaints.iter().for_each(|complaint| eprintln!("{complaint}"));
-    if complaints.is_empty() {
-        println!("{} lines as committed", lines.len());
-        return ExitCode::SUCCESS;
-    }
-    eprintln!("{} figures differ: SUNGLINT_RECORD=1 tests/firmware/run writes the table anew", complaints.len());
-    ExitCode::FAILURE
+    committed::settle(&lines, &table, "lines")
 }
 
 /// The lines of all cores as one, in the order of the first.
@@ -72,37 +55,15 @@ fn measured(fresh: &Path) -> Vec<Line> {
     lines
 }
 
-/// What is missing, new, or off by more than 2 % and by more than 1.
-fn compare(lines: &[Line], table: &str) -> Vec<String> {
-    let mut committed: HashMap<Key, Line> = HashMap::new();
-    let mut complaints = Vec::new();
-    if table.lines().next() != Some(HEADER) {
-        complaints.push("the table has other columns".to_owned());
-    }
-    for text in table.lines().skip(1) {
-        match line::committed(text) {
-            Some(line) => drop(committed.insert(line.key.clone(), line)),
-            None => complaints.push(format!("not a line: {text}")),
-        }
-    }
-    for line in lines {
-        match committed.remove(&line.key) {
-            Some(before) => complaints.extend(line.against(&before)),
-            None => complaints.push(format!("{} is new", line.key)),
-        }
-    }
-    complaints.extend(committed.keys().map(|key| format!("{key} is missing")));
-    complaints
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use committed::{Line as _, compare};
 
     const COUNTED: &str = "cap,f32,sunglint,any,256,100,200,300,400,0,100,200,300,400,0,100,200,300,400,0,";
 
     fn complaints(committed: &str) -> usize {
-        compare(&[line::committed(COUNTED).unwrap()], &format!("{HEADER}\n{committed}\n")).len()
+        compare(&[Line::parse(COUNTED).unwrap()], &format!("{}\n{committed}\n", Line::HEADER)).len()
     }
 
     #[test]
